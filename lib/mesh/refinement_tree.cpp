@@ -1,0 +1,189 @@
+#include "lib/mesh/refinement_tree.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "lib/exact/errors.hpp"
+
+namespace asts {
+
+namespace {
+
+std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
+
+/// The place of a coordinate inside an interval, as a fraction: the interval's start + (rest / denominator) * length.
+/// Going down to the child that contains it is a division with remainder, exact at any depth.
+template <typename Number>
+struct Place {
+  Number rest;
+  Number denominator;
+
+  std::int32_t descend(int parts) {
+    rest *= parts;
+    std::int32_t child = static_cast<std::int32_t>(Number(rest / denominator));
+    child = std::min(child, parts - 1);  // the domain's upper face belongs to the last element
+    rest -= denominator * child;
+    return child;
+  }
+};
+
+template <typename Number>
+std::int32_t descend_to_leaf(const RefinementTree& tree, const PerAxis<Number>& numerator,
+                             const PerAxis<Number>& denominator) {
+  PerAxis<Place<Number>> place;
+  PerAxis<std::int32_t> cube{};
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    const int last = tree.setting().domain[axis] - 1;
+    cube[axis] = std::min(static_cast<std::int32_t>(Number(numerator[axis] / denominator[axis])), last);
+    place[axis] = {numerator[axis] - denominator[axis] * cube[axis], denominator[axis]};
+  }
+  std::int32_t id = tree.unit_cube(cube);
+  while (!tree.is_leaf(id)) {
+    const auto axis = static_cast<std::size_t>(tree.split_axis(id));
+    id = tree.node(id).first_child + place[axis].descend(tree.setting().grading);
+  }
+  return id;
+}
+
+}  // namespace
+
+RefinementTree::RefinementTree(const Setting& setting) : setting_(setting) {
+  std::int64_t cubes = 1;
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    require(setting.domain[axis] >= 1, "the domain needs at least one cube along each axis");
+    cubes *= setting.domain[axis];
+    if (cubes > kMaxInitialElements) throw ResourceError("the initial mesh has too many elements");
+    grids_.emplace_back(setting.domain[axis], setting.grading, setting.degree[axis]);
+  }
+  element_count_ = initial_left_ = cubes;
+  unit_cubes_.assign(static_cast<std::size_t>(cubes), kNone);
+  build_blocks();
+}
+
+Axis RefinementTree::split_axis(std::int32_t id) const {
+  const Node& n = node(id);
+  return n.level < 0 ? longest_block_axis(n) : static_cast<Axis>(n.level % kDimension);
+}
+
+Axis RefinementTree::longest_block_axis(const Node& block) const {
+  Axis longest = 0;
+  const auto units = [&](Axis axis) { return grid(axis).units_in(block.cell[static_cast<std::size_t>(axis)]); };
+  for (Axis axis = 1; axis < kDimension; ++axis) {
+    if (units(axis) > units(longest)) longest = axis;
+  }
+  return longest;
+}
+
+std::int32_t RefinementTree::block_level(const PerAxis<std::int32_t>& cells) const {
+  std::int32_t halvings = 0;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto units = static_cast<std::uint32_t>(grid(axis).units_in(cells[static_cast<std::size_t>(axis)]));
+    halvings += static_cast<std::int32_t>(std::bit_width(units - 1));
+  }
+  return -halvings;
+}
+
+void RefinementTree::build_blocks() {
+  PerAxis<std::int32_t> root{};
+  for (Axis axis = 0; axis < kDimension; ++axis) root[static_cast<std::size_t>(axis)] = grid(axis).root();
+  nodes_.push_back({root, kNone, kNone, block_level(root), 0});
+  for (std::int32_t id = 0; id < node_count(); ++id) {
+    if (node(id).level < 0) {
+      add_children(id, split_axis(id), 2);
+      continue;
+    }
+    std::size_t index = 0;
+    for (Axis axis = kDimension - 1; axis >= 0; --axis) {
+      index = index * at(setting_.domain[at(axis)]) + at(extent(id, axis).lower);  // rank i is the integer i here
+    }
+    unit_cubes_[index] = id;
+  }
+}
+
+void RefinementTree::add_children(std::int32_t id, Axis axis, std::int32_t count) {
+  if (nodes_.size() + at(count) > at(std::numeric_limits<std::int32_t>::max())) {
+    throw ResourceError("the refinement tree has 2^31 nodes");
+  }
+  const auto split = static_cast<std::size_t>(axis);
+  Node child = node(id);
+  const std::int32_t first_cell = grids_[split].children(child.cell[split]);
+  nodes_[at(id)].first_child = node_count();
+  child.parent = id;
+  child.first_child = kNone;
+  for (std::int32_t j = 0; j < count; ++j) {
+    child.cell[split] = first_cell + j;
+    child.level = node(id).level < 0 ? block_level(child.cell) : node(id).level + 1;
+    child.coarsest = std::max(child.level, 0);
+    nodes_.push_back(child);
+  }
+}
+
+std::int32_t RefinementTree::unit_cube(const PerAxis<std::int32_t>& index) const {
+  std::size_t place = 0;
+  for (std::size_t axis = kDimension; axis-- > 0;) {
+    place = place * at(setting_.domain[axis]) + at(index[axis]);
+  }
+  return unit_cubes_[place];
+}
+
+std::int32_t RefinementTree::leaf_at(const Point& point) const {
+  PerAxis<std::int64_t> numerator{};
+  PerAxis<std::int64_t> denominator{};
+  bool fits = true;
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    if (!point[axis].is_small()) {
+      fits = false;
+      break;
+    }
+    numerator[axis] = point[axis].numerator();
+    denominator[axis] = point[axis].denominator();
+    // rest <= denominator, so rest * m must not overflow
+    fits = fits && denominator[axis] <= std::numeric_limits<std::int64_t>::max() / setting_.grading;
+  }
+  if (fits) return descend_to_leaf(*this, numerator, denominator);
+  PerAxis<Integer> wide_numerator;
+  PerAxis<Integer> wide_denominator;
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    const Rational value = point[axis].value();
+    wide_numerator[axis] = boost::multiprecision::numerator(value);
+    wide_denominator[axis] = boost::multiprecision::denominator(value);
+  }
+  return descend_to_leaf(*this, wide_numerator, wide_denominator);
+}
+
+void RefinementTree::subdivide(std::int32_t leaf) {
+  ensure(is_leaf(leaf) && node(leaf).level >= 0, "only a leaf is subdivided");
+  const std::int32_t level = node(leaf).level;
+  add_children(leaf, split_axis(leaf), setting_.grading);
+  element_count_ += setting_.grading - 1;
+  if (level == 0) --initial_left_;
+  max_level_ = std::max(max_level_, level + 1);
+  set_coarsest(leaf, level + 1);
+}
+
+void RefinementTree::update_ranks() {
+  for (AxisGrid& axis_grid : grids_) axis_grid.update_ranks();
+}
+
+/// Sets a node's coarsest level and carries the change upwards as far as it matters.
+void RefinementTree::set_coarsest(std::int32_t id, std::int32_t level) {
+  nodes_[at(id)].coarsest = level;
+  for (std::int32_t up = node(id).parent; up != kNone; up = node(up).parent) {
+    const std::int32_t before = node(up).coarsest;
+    if (level > before) level = coarsest_child(up, before);
+    if (level == before) return;
+    nodes_[at(up)].coarsest = level;
+  }
+}
+
+/// The minimum over the children; ends early at `bound`, below which none of them is.
+std::int32_t RefinementTree::coarsest_child(std::int32_t id, std::int32_t bound) const {
+  std::int32_t coarsest = kNoLevel;
+  const std::int32_t first = node(id).first_child;
+  for (std::int32_t child = first; child < first + child_count(id) && coarsest > bound; ++child) {
+    coarsest = std::min(coarsest, node(child).coarsest);
+  }
+  return coarsest;
+}
+
+}  // namespace asts

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "lib/mesh/axis_grid.hpp"
+#include "lib/mesh/setting.hpp"
+
+namespace asts {
+
+/// A mesh that level-directed subdivisions (Definitions 2.6, 2.7) make from the initial mesh (Definition 2.1), with
+/// its history: the tree of all elements that were ever in it. The leaves are the mesh.
+///
+/// A node of the tree is a box: one cell of each axis. Nodes of level >= 0 are elements; the level is the number of
+/// subdivisions behind it (Definition 2.2: -log_m of the volume, the volume being m^-level). Above the unit cubes a
+/// binary hierarchy of blocks, with negative levels that grow towards the elements, ends in node 0, the domain; it
+/// exists so that a search can leave out many elements at once.
+///
+/// Laws: (1) the leaves tile the domain; (2) an element of level k was split along axis k mod 3 only; (3) node 0 covers
+/// the domain; (4) the children of a node are contiguous, in the order of their coordinates.
+/// Bounds: fewer than 2^31 nodes (ResourceError); no bound on the level.
+class RefinementTree {
+ public:
+  static constexpr std::int32_t kNone = -1;
+  static constexpr std::int32_t kNoLevel = std::numeric_limits<std::int32_t>::max();
+
+  struct Node {
+    PerAxis<std::int32_t> cell;
+    std::int32_t parent;
+    std::int32_t first_child;  ///< kNone for a leaf
+    std::int32_t level;        ///< negative for blocks
+    std::int32_t coarsest;     ///< the lowest level of a leaf below that is not marked; kNoLevel if there is none
+  };
+
+  /// The initial mesh. Throws ResourceError when it has more than kMaxInitialElements elements.
+  explicit RefinementTree(const Setting& setting);
+
+  const Setting& setting() const { return setting_; }
+  const Node& node(std::int32_t id) const { return nodes_[static_cast<std::size_t>(id)]; }
+  std::int32_t node_count() const { return static_cast<std::int32_t>(nodes_.size()); }
+  bool is_leaf(std::int32_t id) const { return node(id).first_child == kNone; }
+  /// m for an element, 2 for a block.
+  std::int32_t child_count(std::int32_t id) const { return node(id).level < 0 ? 2 : setting_.grading; }
+  /// The axis along which a node is split: level mod 3 for an element (Definition 2.6).
+  Axis split_axis(std::int32_t id) const;
+
+  std::int64_t element_count() const { return element_count_; }
+  /// |G \ G_0|: the leaves that are no unit cubes.
+  std::int64_t new_element_count() const { return element_count_ - initial_left_; }
+  std::int32_t max_level() const { return max_level_; }
+
+  const AxisGrid& grid(Axis axis) const { return grids_[static_cast<std::size_t>(axis)]; }
+  RankInterval extent(std::int32_t id, Axis axis) const { return grid(axis).extent(cell(id, axis)); }
+  /// The extent of the open environment U(K) (Definition 2.4) along an axis. REQUIRES: level >= 0.
+  RankInterval environment(std::int32_t id, Axis axis) const { return grid(axis).window(cell(id, axis)); }
+
+  /// The leaf that contains a point of the domain; elements are half-open, the domain's upper faces belong to the last
+  /// element. Cost: linear in the leaf's level.
+  std::int32_t leaf_at(const Point& point) const;
+
+  /// Definition 2.6: replaces a leaf by its m children. Ranks are stale until update_ranks(). REQUIRES: a leaf.
+  void subdivide(std::int32_t leaf);
+  void update_ranks();
+
+  /// Marks a leaf: searches by `coarsest` do not see it any more, until it is subdivided. REQUIRES: a leaf.
+  void mark(std::int32_t leaf) { set_coarsest(leaf, kNoLevel); }
+  bool is_marked(std::int32_t leaf) const { return is_leaf(leaf) && node(leaf).coarsest == kNoLevel; }
+
+  /// The node that is exactly this unit cube. REQUIRES: in the domain.
+  std::int32_t unit_cube(const PerAxis<std::int32_t>& index) const;
+
+ private:
+  std::int32_t cell(std::int32_t id, Axis axis) const { return node(id).cell[static_cast<std::size_t>(axis)]; }
+  Axis longest_block_axis(const Node& block) const;
+  std::int32_t block_level(const PerAxis<std::int32_t>& cells) const;
+  void add_children(std::int32_t id, Axis axis, std::int32_t count);
+  void build_blocks();
+  void set_coarsest(std::int32_t id, std::int32_t level);
+  std::int32_t coarsest_child(std::int32_t id, std::int32_t bound) const;
+
+  Setting setting_;
+  std::vector<AxisGrid> grids_;
+  std::vector<Node> nodes_;
+  std::vector<std::int32_t> unit_cubes_;
+  std::int64_t element_count_ = 0;
+  std::int64_t initial_left_ = 0;
+  std::int32_t max_level_ = 0;
+};
+
+}  // namespace asts

@@ -1,0 +1,43 @@
+#include "lib/refine/admissibility.hpp"
+
+#include <vector>
+
+#include "lib/refine/patch_search.hpp"
+
+namespace asts {
+
+std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree) {
+  std::vector<std::vector<std::int32_t>> inner(static_cast<std::size_t>(tree.max_level()) + 1);
+  for (std::int32_t id = 0; id < tree.node_count(); ++id) {
+    const RefinementTree::Node& node = tree.node(id);
+    if (node.level > 0 && !tree.is_leaf(id)) inner[static_cast<std::size_t>(node.level)].push_back(id);
+  }
+  std::optional<CoarserInPatch> result;
+  PatchSearch search(tree);
+  for (std::size_t level = 1; level < inner.size() && !result; ++level) {
+    search.coarser_in_patches(inner[level], static_cast<std::int32_t>(level), [&](std::int32_t k, std::int32_t coarser) {
+      result = CoarserInPatch{k, coarser};
+      return false;
+    });
+  }
+  return result;
+}
+
+bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::int32_t> leaves) {
+  PatchSearch search(tree);
+  std::vector<std::vector<std::int32_t>> by_level(static_cast<std::size_t>(tree.max_level()) + 1);
+  for (const std::int32_t leaf : leaves) by_level[static_cast<std::size_t>(tree.node(leaf).level)].push_back(leaf);
+  std::vector<bool> in_set(static_cast<std::size_t>(tree.node_count()), false);
+  for (const std::int32_t leaf : leaves) in_set[static_cast<std::size_t>(leaf)] = true;
+  for (std::size_t level = 1; level < by_level.size(); ++level) {
+    const bool clear = search.coarser_in_patches(
+        by_level[level], static_cast<std::int32_t>(level), [&](std::int32_t k, std::int32_t coarser) {
+          const std::int32_t after = tree.node(coarser).level + (in_set[static_cast<std::size_t>(coarser)] ? 1 : 0);
+          return after >= tree.node(k).level;
+        });
+    if (!clear) return false;
+  }
+  return true;
+}
+
+}  // namespace asts

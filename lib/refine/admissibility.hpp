@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "lib/mesh/refinement_tree.hpp"
+
+namespace asts {
+
+/// A subdivided element and an element of the mesh that is coarser and meets its environment.
+struct CoarserInPatch {
+  std::int32_t element;
+  std::int32_t coarser;
+};
+
+/// Definition 3.2 for a mesh whose history is unknown. Returns nothing when the mesh is admissible, else the reason why
+/// not, with the lowest level of `element` there is.
+///
+/// Criterion: a mesh that level-directed subdivisions make is admissible exactly if for every element K of its tree
+/// that is no leaf, every leaf K' that meets U(K) has level(K') >= level(K).
+/// Proof. "Only if": K was subdivided in some mesh of the sequence, admissibly, so all elements that met U(K) then had
+/// level(K) or more; the leaves that meet U(K) now are these elements or lie in them, and levels grow downwards.
+/// "If": subdivide the inner elements of the tree in the order of their levels. When K's turn comes, K is there, since
+/// the elements above it have had theirs. Suppose some K' of the mesh at hand meets U(K) and has level(K') < level(K).
+/// Elements of the tree with such a level that are no leaves have been subdivided, so K' is a leaf of the tree, which
+/// contradicts the criterion. So each subdivision is admissible (Definition 3.1). The proof needs no lemma on patches,
+/// and shows in passing that every admissible mesh arises by level-increasing admissible subdivisions.
+///
+/// Cost: see PatchSearch; every inner element is asked once.
+/// REQUIRES: no leaf is marked, ranks are up to date.
+std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree);
+
+/// Definition 3.1 for one step of a history: whether there is an order in which subdividing these distinct leaves one
+/// after the other is admissible each time. The order of rising levels is such an order if there is any: subdividing an
+/// element never lowers a level in another's patch, and an element of the set that stands in the way of another is
+/// coarser than it, so it comes first. So the question is whether each leaf's patch has no coarser element outside the
+/// set, except that an element of the set whose children are still too coarse stands in the way as well.
+/// REQUIRES: as above.
+bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::int32_t> leaves);
+
+}  // namespace asts
