@@ -18,6 +18,8 @@ struct Step {
   enum class Kind { refine, subdivide };
   Kind kind = Kind::refine;
   std::vector<Point> marks;
+
+  friend bool operator==(const Step&, const Step&) = default;
 };
 
 /// One `element` line: a closed box, and the line it stands on (1-based; 0 when it does not come from a file).
@@ -25,6 +27,11 @@ struct ElementLine {
   Point lower;
   Point upper;
   std::size_t line = 0;
+
+  /// The line is where the box was read, not what it is.
+  friend bool operator==(const ElementLine& a, const ElementLine& b) {
+    return a.lower == b.lower && a.upper == b.upper;
+  }
 };
 
 /// A test case, the one type that generators, files, replay and reports share: the setting, and either steps that
@@ -36,6 +43,8 @@ struct Case {
   std::vector<Step> steps;
   bool explicit_mesh = false;
   std::vector<ElementLine> elements;
+
+  friend bool operator==(const Case&, const Case&) = default;
 };
 
 /// The bounds that a case must keep so that everything that follows fits into memory and 32-bit identifiers.
