@@ -150,19 +150,4 @@ std::optional<std::size_t> element_at(const Setting& setting, const Mesh& mesh, 
   return std::nullopt;
 }
 
-bool tiles_domain(const Setting& setting, const Mesh& mesh) {
-  Box domain{{Rational(0), Rational(0), Rational(0)},
-             {Rational(setting.domain[0]), Rational(setting.domain[1]), Rational(setting.domain[2])}};
-  Rational sum = 0;
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    for (std::size_t a = 0; a < dimension; ++a)
-      if (!(mesh[i].lower[a] < mesh[i].upper[a])) return false;
-    if (!contains(domain, mesh[i])) return false;
-    for (std::size_t j = 0; j < i; ++j)
-      if (closed_meets_open(mesh[j], mesh[i])) return false;  // the closed box meets the other's interior
-    sum += volume(mesh[i]);
-  }
-  return sum == volume(domain);
-}
-
 }  // namespace asts::reference
