@@ -3,10 +3,15 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "lib/mesh/case_file.hpp"
 
 namespace asts {
+
+/// What rapidcheck prints for a case: its text. Outside the unnamed namespace, where it looks for it.
+static void showValue(const Case& test_case, std::ostream& out) { out << write_case(test_case); }
+
 namespace {
 
 /// A number between 0 and `bound`: on a coarse grid, near the border of 64 bits, or far beyond it.
@@ -41,7 +46,7 @@ ElementLine random_element(const PerAxis<int>& domain) {
   return box;
 }
 
-Case random_case() {
+Case drawn_case() {
   Case result;
   for (int& degree : result.degree) degree = 2 * *rc::gen::inRange(1, 9) + 1;
   result.grading = *rc::gen::inRange(2, 20);
@@ -59,8 +64,11 @@ Case random_case() {
   return result;
 }
 
+/// Drawn as one value, so that a failure prints the text of the case and not the numbers it was made of.
+Case random_case() { return *rc::gen::exec(drawn_case); }
+
 /// The text as another hand would write it: CRLF, comments, free lines, more blanks.
-std::string dressed(const std::string& text) {
+std::string drawn_dress(const std::string& text) {
   std::string result;
   for (const char c : text) {
     const int what = *rc::gen::inRange(0, 4);
@@ -76,10 +84,13 @@ std::string dressed(const std::string& text) {
 RC_GTEST_PROP(CaseRoundTrip, WrittenCasesReadBackEqual, ()) {
   const Case original = random_case();
   const std::string text = write_case(original);
-  RC_LOG() << text;
   const Case read = parse_case(text, "f");
   RC_ASSERT(read == original);
   RC_ASSERT(write_case(read) == text);
+}
+
+std::string dressed(const std::string& text) {
+  return *rc::gen::exec([&text] { return drawn_dress(text); });
 }
 
 RC_GTEST_PROP(CaseRoundTrip, BlanksAndCommentsMeanNothing, ()) {
