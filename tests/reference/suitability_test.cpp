@@ -100,6 +100,43 @@ TEST(ReferenceSuitability, RectanglesAndPointsAgree) {
   EXPECT_LT(violated, 60);
 }
 
+// Domain 5 x 5 x 5, m = 2, AR = [2,3]^3; two bare subdivisions: [2,3] x [1,2] x [2,3] along x, then its upper half along
+// y. The nodes v = (2, 3, 2) and w = (5/2, 2, 2) have
+//   x(v) = (0, 1, 2, 3, 4), y(v) = (1, 2, 3, 4, 5)   and   x(w) = (1, 2, 5/2, 3, 4), y(w) = (1, 3/2, 2, 3, 4):
+// they overlap neither along x (5/2) nor along y (3/2), and their supports have common interior: not dual-compatible.
+// But S_y(3/2) is empty because 3/2 lies outside the active region, so R_y(3/2) is empty, and R_x meets no other
+// perturbed region: analysis-suitable. Theorem 6.6 does not hold literally for meshes that are not admissible.
+TEST(ReferenceDecide, SuitableButNotDualCompatible) {
+  const Setting setting{{3, 3, 3}, 2, {5, 5, 5}};
+  Mesh mesh = initial_mesh(setting);
+  for (int step = 0; step < 2; ++step)
+    mesh = subdivide(setting, mesh, {*element_at(setting, mesh, {over(11, 4), over(5, 4), over(9, 4)})});
+  const Space<Rational> space = make_space<Rational>(setting, mesh, 1);
+  const auto v = active_node(space, {2, 3, 2}), w = active_node(space, {over(5, 2), 2, 2});
+  ASSERT_TRUE(v && w);
+  EXPECT_EQ(v->vectors[1], (Vector{1, 2, 3, 4, 5}));
+  EXPECT_EQ(w->vectors[1], (Vector{1, over(3, 2), 2, 3, 4}));
+  EXPECT_TRUE(intersect_with_volume(v->support, w->support));
+  EXPECT_FALSE(partially_overlap(*v, *w));
+  EXPECT_TRUE(analysis_suitable_by_rectangles(space, *active_splines(space)));
+  const Verdicts expected{Verdict::violated, Verdict::holds, Verdict::holds, Verdict::violated, Verdict::violated};
+  EXPECT_EQ(decide(setting, mesh), expected);
+}
+
+// 195 bare subdivisions around one point: denominators 2^65 do not fit the integer grid, and all stays exact.
+TEST(ReferenceDecide, DeepMeshesStayExact) {
+  const Setting setting{{3, 3, 3}, 2, {4, 4, 5}};
+  Mesh mesh = initial_mesh(setting);
+  for (int step = 0; step < 195; ++step)
+    mesh = subdivide(setting, mesh, {*element_at(setting, mesh, {2, 2, over(5, 2)})});
+  EXPECT_FALSE(grid_scale(setting, mesh));
+  EXPECT_TRUE(tiles_domain(setting, mesh));
+  const Verdicts verdicts = decide(setting, mesh);
+  EXPECT_EQ(verdicts.admissible, Verdict::violated);
+  EXPECT_EQ(verdicts.nested_patches, Verdict::holds);
+  EXPECT_NE(verdicts.dual_basis, Verdict::not_applicable);
+}
+
 TEST(ReferenceDecide, UniformMeshesHoldEverything) {
   const Verdicts all{Verdict::holds, Verdict::holds, Verdict::holds, Verdict::holds, Verdict::holds};
   const Setting setting{{3, 3, 3}, 2, {6, 5, 4}};
