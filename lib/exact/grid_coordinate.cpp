@@ -81,11 +81,7 @@ GridCoordinate GridCoordinate::canonical() const {
   return {grading_, reduced, depth};
 }
 
-Rational GridCoordinate::to_rational() const {
-  Rational result(index(), power_of(grading_, depth_));
-  mpq_canonicalize(result.backend().data());
-  return result;
-}
+Rational GridCoordinate::to_rational() const { return {index(), power_of(grading_, depth_)}; }
 
 std::strong_ordering operator<=>(const GridCoordinate& a, const GridCoordinate& b) {
   require(a.grading_ == b.grading_, "coordinates of different gradings lie on different grids");

@@ -48,9 +48,7 @@ std::variant<Rational, std::string> parse_rational(std::string_view text) {
 
   Integer numerator = integer_of_digits(above);
   if (negative) numerator = -numerator;
-  Rational result(numerator, integer_of_digits(below));
-  mpq_canonicalize(result.backend().data());
-  return result;
+  return Rational(numerator, integer_of_digits(below));  // from two integers it does come in lowest terms
 }
 
 std::string to_string(const Rational& value) {

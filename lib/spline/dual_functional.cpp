@@ -54,12 +54,6 @@ std::vector<Integer> canonical_form(Vector x, Vector x_tilde) {
   return result;
 }
 
-Rational fraction(const Integer& numerator, const Integer& denominator) {
-  Rational result(numerator, denominator);
-  mpq_canonicalize(result.backend().data());
-  return result;
-}
-
 /// The factor of G(u(x~_k)) in the closed form.
 /// (x~_k - x_2)...(x~_k - x_(p+1)) (x~_(p+2) - x~_1) / product over i != k of (x~_k - x~_i).
 Rational weight(IntegerVector x, IntegerVector x_tilde, std::size_t k) {
@@ -69,7 +63,7 @@ Rational weight(IntegerVector x, IntegerVector x_tilde, std::size_t k) {
   for (std::size_t i = 0; i < x_tilde.size(); ++i) {
     if (i != k) denominator *= x_tilde[k] - x_tilde[i];
   }
-  return fraction(numerator, denominator);
+  return {numerator, denominator};
 }
 
 }  // namespace
@@ -104,7 +98,7 @@ FieldElement DualFunctional::perfect_antiderivative(const Rational& u) {
       if (j % 2 == 0) result += term;  // (-1)^(p+1-j) = (-1)^j
       if (j % 2 == 1) result -= term;
     }
-    result *= fraction(Integer(1) << degree_, degree_ + 1);
+    result *= Rational(Integer(1) << degree_, Integer(degree_ + 1));
   }
   if (antiderivatives_.size() >= kMostValues) antiderivatives_.clear();
   return antiderivatives_.emplace(u, std::move(result)).first->second;
@@ -123,7 +117,7 @@ FieldElement DualFunctional::evaluate(IntegerVector x, IntegerVector x_tilde) {
     if (!inside) {
       rational_part += factor;  // G = 1
     } else {
-      const Rational u = fraction(2 * entry - x.front() - x.back(), length);
+      const Rational u(2 * entry - x.front() - x.back(), length);
       irrational_part += perfect_antiderivative(u) * factor;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <span>
 #include <vector>
@@ -68,6 +69,9 @@ class DualFunctional {
 
   /// G(u). Cost: the first time for u, O(p) powers of exponent p+1 in the field.
   FieldElement perfect_antiderivative(const Rational& u);
+
+  /// How many pairs of vectors, counted up to positive affine maps, have their value kept. Bounded: it starts over.
+  std::size_t kept() const { return values_.size(); }
 
   /// y_j, j = 0..p+1.
   const std::vector<FieldElement>& nodes();

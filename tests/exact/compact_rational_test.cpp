@@ -78,7 +78,7 @@ TEST(ParseCompact, AgreesOnTextsAroundTheFastPathsEnds) {
   EXPECT_TRUE(agree(std::string("1\0", 2)));
 }
 
-/// Texts over the grammar's own letters and a few strangers: half of the short ones are numbers.
+/// Texts over the grammar's own letters and a few strangers.
 RC_GTEST_PROP(ParseCompact, AgreesWithParseRationalOnEveryText, ()) {
   const auto letter = rc::gen::weightedElement<char>({{30, '0'},
                                                       {30, '1'},

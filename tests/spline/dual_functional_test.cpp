@@ -177,7 +177,10 @@ TEST(DualFunctional, KeptValuesAreTheFirstOnes) {
   const FieldElement first = cubic.lambda(x, x_tilde);
   EXPECT_EQ(cubic.lambda(x, x_tilde), first);
   EXPECT_NE(cubic.lambda(x_tilde, x), first) << "the pair is ordered";
+  EXPECT_EQ(cubic.kept(), 2U);
   EXPECT_EQ(cubic.lambda(mapped(x, 3, -7), mapped(x_tilde, 3, -7)), first);
+  EXPECT_EQ(cubic.lambda(mapped(x, ratio(1, 9), ratio(1, 2)), mapped(x_tilde, ratio(1, 9), ratio(1, 2))), first);
+  EXPECT_EQ(cubic.kept(), 2U) << "one value for all affine images of a pair";
 }
 
 TEST(DualFunctional, AHugeDegreeIsRationalOnOverlappingVectors) {
