@@ -65,7 +65,8 @@ RC_GTEST_PROP(ParseRational, ReadsBackEveryFraction, (int numerator)) {
   const auto parsed = parse_rational(to_string(value));
   RC_ASSERT(std::get<Rational>(parsed) == value);
   const auto unreduced = parse_rational(std::to_string(numerator) + "/" + std::to_string(denominator));
-  RC_ASSERT(denominator(std::get<Rational>(unreduced)) == denominator(value));  // == and printing may hide it
+  RC_ASSERT(boost::multiprecision::denominator(std::get<Rational>(unreduced)) ==
+            boost::multiprecision::denominator(value));  // == and printing may hide it
   RC_ASSERT(std::get<Rational>(unreduced) == value);
 }
 
