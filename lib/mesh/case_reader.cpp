@@ -132,7 +132,7 @@ void Reader::read_step(std::string_view directive, std::string_view rest) {
 void Reader::read_element(std::string_view rest) {
   require_header();
   if (!case_.steps.empty()) lines_.fail("an element in a case with steps: a case has steps or elements, not both");
-  std::array<std::string_view, 2 * kDimension> words;
+  std::array<std::string_view, std::size_t{2} * kDimension> words;
   require_count(lines_, split(rest, words), words.size(), "element needs six numbers");
   case_.explicit_mesh = true;
   const std::span<const std::string_view> all(words);
