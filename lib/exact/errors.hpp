@@ -20,6 +20,11 @@ struct ResourceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A budget that the caller set was used up before the answer was known.
+struct BudgetExhausted : ResourceError {
+  using ResourceError::ResourceError;
+};
+
 /// Throws InputError unless `condition` holds. Always on.
 inline void require(bool condition, const char* what) {
   if (!condition) throw InputError(what);

@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "lib/exact/errors.hpp"
+#include "lib/mesh/case_file.hpp"
+#include "lib/refine/replay.hpp"
+#include "reports/check_report.hpp"
+
+namespace asts::cli {
+
+namespace {
+
+/// Longer cases are not repeated in every record of a violated mesh.
+constexpr std::size_t kLongestMeshText = std::size_t{1} << 20;
+constexpr std::size_t kMostMarksRepeated = 50'000;
+
+std::vector<const Property*> chosen_properties(const std::vector<std::string>& ids) {
+  std::vector<const Property*> chosen;
+  for (const Property& property : all_properties()) {
+    if (ids.empty() || std::find(ids.begin(), ids.end(), property.id) != ids.end()) chosen.push_back(&property);
+  }
+  for (const std::string& id : ids) {
+    if (find_property(id) == nullptr) throw InputError("no property is called '" + id + "'");
+  }
+  return chosen;
+}
+
+/// The case as far as a mesh of its sequence, as text; empty when it is too long.
+std::string text_up_to(const Case& test_case, std::int64_t step) {
+  Case prefix = test_case;
+  if (!test_case.explicit_mesh) prefix.steps.resize(static_cast<std::size_t>(step));
+  std::size_t points = 2 * prefix.elements.size();
+  for (const Step& one : prefix.steps) points += one.marks.size();
+  if (points > kMostMarksRepeated) return {};
+  std::string text = write_case(prefix);
+  return text.size() > kLongestMeshText ? std::string() : text;
+}
+
+/// A case that was read, with its mesh when it is an explicit one: all input is looked at before anything is written.
+struct Input {
+  std::string name;
+  Case content;
+  std::optional<Mesh> mesh;
+};
+
+Input read_input(const std::string& path) {
+  Input input{path, read_case_file(path), {}};
+  if (!input.content.explicit_mesh) return input;
+  try {
+    input.mesh = mesh_of(setting_of(input.content), input.content.elements);
+  } catch (const InputError& error) {
+    throw InputError(path + ":" + error.what());
+  }
+  return input;
+}
+
+class Checker {
+ public:
+  explicit Checker(const CheckOptions& options) : options_(options), properties_(chosen_properties(options.properties)) {}
+
+  void check_case(Input& input) {
+    if (input.mesh) {
+      MeshUnderTest mesh(std::move(*input.mesh));
+      report(input, 0, mesh);
+      return;
+    }
+    Replay replay(input.content);
+    if (!options_.final_only || replay.done()) report(input, replay);
+    while (!replay.done()) {
+      stop_if_interrupted();
+      show_progress(fmt::format("{}: step {}, {} elements", input.name, replay.counts().step + 1,
+                                replay.tree().element_count()));
+      replay.advance();
+      if (!options_.final_only || replay.done()) report(input, replay);
+    }
+  }
+
+  /// For a person: how often each property came out how.
+  std::string summary() const {
+    std::string result = fmt::format("\n{:<20} {:>8} {:>9} {:>15} {:>10}\n", "property", "holds", "violated",
+                                     "not-applicable", "undecided");
+    for (const Property* property : properties_) {
+      const auto count = [&](Outcome outcome) {
+        const auto found = tally_.find({property, outcome});
+        return found == tally_.end() ? 0 : found->second;
+      };
+      result += fmt::format("{:<20} {:>8} {:>9} {:>15} {:>10}\n", property->id, count(Outcome::holds),
+                            count(Outcome::violated), count(Outcome::not_applicable), count(Outcome::undecided));
+    }
+    return result;
+  }
+
+  int exit_code() const {
+    const auto any = [&](Outcome outcome) {
+      return std::any_of(tally_.begin(), tally_.end(), [&](const auto& entry) { return entry.first.second == outcome; });
+    };
+    return any(Outcome::violated) ? kViolated : any(Outcome::undecided) ? kFailure : kHolds;
+  }
+
+ private:
+  void report(const Input& input, const Replay& replay) {
+    MeshUnderTest mesh(replay.tree());
+    report(input, replay.counts().step, mesh);
+  }
+
+  void report(const Input& input, std::int64_t step, MeshUnderTest& mesh) {
+    if (options_.pair_budget > 0) mesh.pair_budget = options_.pair_budget;
+    CheckRecord record;
+    record.case_name = input.name;
+    record.step = step;
+    record.elements = static_cast<std::int64_t>(mesh.mesh().elements.size());
+    record.new_elements = mesh.new_elements();
+    record.max_level = mesh.max_level();
+    bool violated = false;
+    for (const Property* property : properties_) {
+      stop_if_interrupted();
+      record.entries.push_back({property, decide(*property, mesh)});
+      const Outcome outcome = record.entries.back().verdict.outcome;
+      ++tally_[{property, outcome}];
+      violated = violated || outcome == Outcome::violated;
+    }
+    record.active_nodes = mesh.splines().size();
+    if (violated && options_.format == Format::json) record.mesh_case = text_up_to(input.content, step);
+    print(options_.format == Format::json ? check_json(record) : check_text(record));
+  }
+
+  const CheckOptions& options_;
+  std::vector<const Property*> properties_;
+  std::map<std::pair<const Property*, Outcome>, std::int64_t> tally_;
+};
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  Checker checker(options);
+  std::vector<Input> inputs;
+  for (const std::string& path : options.cases) inputs.push_back(read_input(path));
+  for (Input& input : inputs) checker.check_case(input);
+  if (options.format == Format::text) print(checker.summary());
+  return checker.exit_code();
+}
+
+}  // namespace asts::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace asts::cli {
+
+/// Exit codes of the interface contract.
+enum ExitCode : int { kHolds = 0, kViolated = 1, kBadInput = 2, kFailure = 3, kInterrupted = 130 };
+
+enum class Format { text, json };
+
+struct CheckOptions {
+  std::vector<std::string> cases;
+  std::vector<std::string> properties;
+  bool final_only = false;
+  std::uint64_t pair_budget = 0;  ///< 0: none
+  Format format = Format::text;
+};
+
+struct RefineOptions {
+  std::string case_file;
+  std::string write_file;
+  Format format = Format::text;
+};
+
+struct GenerateOptions {
+  std::string workload;
+  std::vector<int> degree{3, 3, 3};
+  int grading = 2;
+  std::vector<int> domain{16, 16, 16};
+  std::int64_t elements = 1000;
+};
+
+struct ValidateOptions {
+  std::vector<std::string> files;
+  Format format = Format::text;
+};
+
+/// Each command writes its results to stdout and returns the exit code. Input errors are thrown as InputError before
+/// anything is written.
+int check(const CheckOptions& options);
+int refine(const RefineOptions& options);
+int generate(const GenerateOptions& options);
+int validate(const ValidateOptions& options);
+
+}  // namespace asts::cli

@@ -1,0 +1,117 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
+
+#include "cli/commands.hpp"
+#include "cli/terminal.hpp"
+#include "lib/exact/errors.hpp"
+
+namespace asts::cli {
+
+namespace {
+
+int complain(int code, const std::string& reason) {
+  show_progress({});
+  std::fprintf(stderr, "asts: %s\n", reason.c_str());
+  return code;
+}
+
+void add_format(CLI::App& command, Format& format) {
+  const std::map<std::string, Format> names{{"text", Format::text}, {"json", Format::json}};
+  command.add_option("--format", format, "text for a person (default), json for a program: one object a line")
+      ->transform(CLI::CheckedTransformer(names).description("text|json"))
+      ->option_text("text|json");
+}
+
+/// All options of all commands; each command remembers what to run.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", "asts " ASTS_VERSION);
+    app_.set_help_flag("--help,-h", "show this text");
+    add_check();
+    add_refine();
+    add_generate();
+    add_validate();
+  }
+
+  int run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() == 0) return app_.exit(error);
+      return complain(kBadInput, error.what());
+    }
+    return chosen_();
+  }
+
+ private:
+  void add_check() {
+    CLI::App* command = app_.add_subcommand("check", "decide properties of every mesh of a case");
+    command->add_option("CASE", check_.cases, "case files, or - for standard input")->required();
+    command->add_option("--property", check_.properties, "only this property; may be given again")->allow_extra_args(false);
+    command->add_flag("--final", check_.final_only, "only the last mesh of each case");
+    command->add_option("--budget", check_.pair_budget, "pairs of supports to look at for a property; beyond: undecided");
+    add_format(*command, check_.format);
+    command->callback([this] { chosen_ = [this] { return check(check_); }; });
+  }
+
+  void add_refine() {
+    CLI::App* command = app_.add_subcommand("refine", "replay a case and count elements step by step");
+    command->add_option("CASE", refine_.case_file, "a case file, or - for standard input")->required();
+    command->add_option("--write", refine_.write_file, "write the last mesh as `element` lines to this file");
+    add_format(*command, refine_.format);
+    command->callback([this] { chosen_ = [this] { return refine(refine_); }; });
+  }
+
+  void add_generate() {
+    CLI::App* command = app_.add_subcommand("generate", "print a case of a workload: corner or sphere");
+    command->add_option("WORKLOAD", generate_.workload, "corner or sphere")
+        ->required()
+        ->check(CLI::IsMember({"corner", "sphere"}));
+    command->add_option("--degree", generate_.degree, "p, such as 3,3,3")->delimiter(',');
+    command->add_option("--grading", generate_.grading, "m");
+    command->add_option("--domain", generate_.domain, "unit cubes along each axis, such as 16,16,16")->delimiter(',');
+    command->add_option("--elements", generate_.elements, "stop at the first mesh with so many elements");
+    command->callback([this] { chosen_ = [this] { return generate(generate_); }; });
+  }
+
+  void add_validate() {
+    CLI::App* command = app_.add_subcommand("validate", "decide witnesses again, by separate code");
+    command->add_option("FILE", validate_.files, "what `asts check --format json` wrote")->required();
+    add_format(*command, validate_.format);
+    command->callback([this] { chosen_ = [this] { return validate(validate_); }; });
+  }
+
+  CLI::App app_{"Decides statements about three-dimensional analysis-suitable T-splines, exactly.", "asts"};
+  CheckOptions check_;
+  RefineOptions refine_;
+  GenerateOptions generate_;
+  ValidateOptions validate_;
+  std::function<int()> chosen_;
+};
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  try {
+    watch_interrupts();
+    return CommandLine().run(argc, argv);
+  } catch (const Interrupted&) {
+    show_progress({});
+    return kInterrupted;
+  } catch (const InputError& error) {
+    return complain(kBadInput, error.what());
+  } catch (const ResourceError& error) {
+    return complain(kFailure, error.what());
+  } catch (const std::bad_alloc&) {
+    return complain(kFailure, "out of memory");
+  } catch (const std::exception& error) {
+    return complain(kFailure, std::string("internal error: ") + error.what());
+  }
+}
+
+}  // namespace asts::cli
+
+int main(int argc, char** argv) { return asts::cli::run(argc, argv); }

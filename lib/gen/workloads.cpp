@@ -1,0 +1,95 @@
+#include "lib/gen/workloads.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "lib/mesh/refinement_tree.hpp"
+#include "lib/refine/refinement.hpp"
+
+namespace asts {
+
+namespace {
+
+std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
+
+/// The coordinates of an axis's lines, by rank, measured so that the comparisons with the sphere are between squares:
+/// 4 (coordinate - centre), squared.
+struct Distances {
+  PerAxis<std::vector<Rational>> squared;
+  PerAxis<std::vector<bool>> below_centre;
+  Rational radius_squared;  ///< of 4 times the radius: the shortest side
+
+  explicit Distances(const RefinementTree& tree) {
+    const auto shortest = *std::min_element(tree.setting().domain.begin(), tree.setting().domain.end());
+    radius_squared = Rational(shortest) * shortest;
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      const AxisGrid& grid = tree.grid(axis);
+      for (std::int32_t rank = 0; rank < grid.line_count(); ++rank) {
+        const Rational offset = 4 * grid.coordinate(grid.line_of_rank(rank)) - 2 * tree.setting().domain[at(axis)];
+        below_centre[at(axis)].push_back(offset < 0);
+        squared[at(axis)].push_back(offset * offset);
+      }
+    }
+  }
+};
+
+bool meets_sphere(const RefinementTree& tree, const Distances& distances, std::int32_t id) {
+  Rational nearest = 0;
+  Rational farthest = 0;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const RankInterval side = tree.extent(id, axis);
+    const Rational& lower = distances.squared[at(axis)][at(side.lower)];
+    const Rational& upper = distances.squared[at(axis)][at(side.upper)];
+    farthest += std::max(lower, upper);
+    const bool holds_centre =
+        distances.below_centre[at(axis)][at(side.lower)] && !distances.below_centre[at(axis)][at(side.upper)];
+    if (!holds_centre) nearest += std::min(lower, upper);
+  }
+  return nearest <= distances.radius_squared && distances.radius_squared <= farthest;
+}
+
+/// A leaf meets the sphere only if all nodes above it do: the search goes down from the domain.
+std::vector<std::int32_t> leaves_on_sphere(const RefinementTree& tree) {
+  const Distances distances(tree);
+  std::vector<std::int32_t> leaves;
+  std::vector<std::int32_t> pending{0};
+  while (!pending.empty()) {
+    const std::int32_t id = pending.back();
+    pending.pop_back();
+    if (!meets_sphere(tree, distances, id)) continue;
+    if (tree.is_leaf(id)) {
+      leaves.push_back(id);
+      continue;
+    }
+    const std::int32_t first = tree.node(id).first_child;
+    for (std::int32_t child = first + tree.child_count(id) - 1; child >= first; --child) pending.push_back(child);
+  }
+  return leaves;
+}
+
+Point lower_corner(const RefinementTree& tree, std::int32_t id) {
+  Point point;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const AxisGrid& grid = tree.grid(axis);
+    point[at(axis)] = CompactRational(grid.coordinate(grid.line_of_rank(tree.extent(id, axis).lower)));
+  }
+  return point;
+}
+
+}  // namespace
+
+Case generate_workload(Workload workload, const Setting& setting, std::int64_t elements) {
+  Case result{setting.degree, setting.grading, setting.domain, {}, false, {}};
+  RefinementTree tree(setting);
+  while (tree.element_count() < elements) {
+    const std::vector<std::int32_t> marks =
+        workload == Workload::corner ? std::vector{tree.leaf_at(Point{})} : leaves_on_sphere(tree);
+    Step step;
+    for (const std::int32_t leaf : marks) step.marks.push_back(lower_corner(tree, leaf));
+    result.steps.push_back(std::move(step));
+    refine(tree, marks);
+  }
+  return result;
+}
+
+}  // namespace asts

@@ -1,0 +1,21 @@
+#include "lib/spline/active_region.hpp"
+
+namespace asts {
+
+ActiveRegion active_region(const Mesh& mesh) {
+  ActiveRegion region{};
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const int margin = (mesh.setting.degree[a] + 1) / 2;
+    const int upper = mesh.setting.domain[a] - margin;
+    if (upper < margin) {
+      region.empty = true;
+      continue;
+    }
+    region.lower[a] = half_rank(mesh, axis, margin);
+    region.upper[a] = half_rank(mesh, axis, upper);
+  }
+  return region;
+}
+
+}  // namespace asts

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lib/spline/active_region.hpp"
+#include "lib/spline/index_vectors.hpp"
+
+namespace asts {
+
+/// The active nodes of a mesh (Definition 4.1) with their local index vectors (Definition 4.4), which determine the
+/// blending functions B_v (Definition 4.5). Nodes are numbered in the lexicographic order of their coordinates.
+struct TSplines {
+  /// Where an index vector does not exist: the global index set has too few entries on one side of the node. That
+  /// happens only on explicit meshes: a refinement of the initial mesh has all integers in every global index set.
+  struct MissingVector {
+    PerAxis<std::int32_t> node;
+    Axis axis;
+  };
+
+  ActiveRegion region;
+  std::vector<PerAxis<std::int32_t>> nodes;       ///< ranks
+  std::vector<PerAxis<std::int32_t>> vector_ids;  ///< of each node, into `vectors`
+  std::vector<IndexVectors> vectors;              ///< one an axis
+  /// For each axis the nodes in the order of the lines parallel to it: nodes of one line stand together, ascending.
+  PerAxis<std::vector<std::int32_t>> line_order;
+  std::optional<MissingVector> missing;  ///< when set, `vector_ids` is incomplete
+
+  std::int32_t size() const { return static_cast<std::int32_t>(nodes.size()); }
+  std::span<const std::int32_t> index_vector(std::int32_t node, Axis axis) const {
+    const auto a = static_cast<std::size_t>(axis);
+    return vectors[a][vector_ids[static_cast<std::size_t>(node)][a]];
+  }
+  /// supp B_v along an axis: from the first to the last entry of the index vector, closed.
+  RankInterval support(std::int32_t node, Axis axis) const {
+    const auto a = static_cast<std::size_t>(axis);
+    const std::int32_t id = vector_ids[static_cast<std::size_t>(node)][a];
+    return {vectors[a].front(id), vectors[a].back(id)};
+  }
+};
+
+/// Cost: linear in elements and active nodes, plus, where index vectors reach across elements without nodes on the
+/// line, a search per entry; no scan of the mesh.
+TSplines tsplines_of(const Mesh& mesh);
+
+}  // namespace asts

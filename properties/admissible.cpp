@@ -1,0 +1,19 @@
+#include "lib/refine/admissibility.hpp"
+#include "properties/describe.hpp"
+#include "properties/properties.hpp"
+
+namespace asts {
+
+Verdict decide_admissible(MeshUnderTest& mesh) {
+  if (const auto outside = mesh.outside_class()) {
+    return Verdict::violated(OutsideClassWitness{describe_element(mesh.mesh(), *outside)});
+  }
+  const RefinementTree& tree = mesh.tree();
+  const auto found = find_inadmissible(tree);
+  if (!found) return Verdict::holds();
+  return Verdict::violated(CoarserInPatchWitness{describe_tree_element(tree, found->element),
+                                                 describe_environment(tree, found->element),
+                                                 describe_tree_element(tree, found->coarser)});
+}
+
+}  // namespace asts

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "properties/mesh_under_test.hpp"
+#include "properties/witness.hpp"
+
+namespace asts {
+
+/// From ranks and identifiers to the exact numbers of a witness.
+ElementInfo describe_element(const Mesh& mesh, std::int32_t element);
+ElementInfo describe_tree_element(const RefinementTree& tree, std::int32_t id);
+ExactBox describe_environment(const RefinementTree& tree, std::int32_t id);
+ActiveNodeInfo describe_node(const Mesh& mesh, const TSplines& splines, std::int32_t node);
+
+/// The coordinate of a position on a line, or of the active region's lower side where no line runs along it.
+Rational coordinate_of(const Mesh& mesh, Axis axis, HalfRank position);
+
+}  // namespace asts

@@ -1,0 +1,21 @@
+#include "lib/spline/dual_basis.hpp"
+
+#include "properties/describe.hpp"
+#include "properties/properties.hpp"
+#include "properties/splines_needed.hpp"
+
+namespace asts {
+
+Verdict decide_dual_basis(MeshUnderTest& mesh) {
+  if (auto verdict = lacks_splines(mesh)) return *verdict;
+  const DualBasisFailures failures = find_dual_failures(mesh.mesh(), mesh.splines(), mesh.runs(0));
+  if (!failures.least) return Verdict::holds();
+  const auto [v, w] = *failures.least;
+  DualValue value = dual_value(mesh.mesh(), mesh.splines(), v, w);
+  return Verdict::violated(LambdaNotDeltaWitness{describe_node(mesh.mesh(), mesh.splines(), v),
+                                                 describe_node(mesh.mesh(), mesh.splines(), w),
+                                                 std::move(value.factors), std::move(value.value), v == w ? 1 : 0,
+                                                 failures.failures, failures.pairs});
+}
+
+}  // namespace asts

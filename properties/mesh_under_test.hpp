@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "lib/mesh/mesh.hpp"
+#include "lib/spline/line_runs.hpp"
+#include "lib/spline/tsplines.hpp"
+
+namespace asts {
+
+/// One mesh with all that its properties are decided from; splines and runs are built when first asked for.
+class MeshUnderTest {
+ public:
+  /// The leaves of a tree. REQUIRES: the tree outlives it and does not change meanwhile; no leaf is marked.
+  explicit MeshUnderTest(const RefinementTree& tree);
+  /// An explicit mesh. Its refinement tree consists of the boxes that the class has and the elements above them.
+  explicit MeshUnderTest(Mesh mesh);
+
+  /// Pairs of runs that may be looked at for one property; beyond it the verdict is undecided.
+  std::size_t pair_budget = std::numeric_limits<std::size_t>::max();
+
+  const Mesh& mesh() const { return mesh_; }
+  const RefinementTree& tree() const { return *tree_; }
+  /// An element that level-directed subdivisions of the initial mesh cannot make, if there is one.
+  std::optional<std::int32_t> outside_class() const;
+  /// Nodes of the tree that are elements of the mesh or contain one: ids, ascending.
+  std::vector<std::int32_t> tree_elements() const;
+
+  const TSplines& splines();
+  const LineRuns& runs(Axis axis);
+
+  std::int64_t new_elements() const;
+  /// The highest integer level of an element, if any has one.
+  std::optional<std::int32_t> max_level() const;
+
+ private:
+  Mesh mesh_;
+  const RefinementTree* tree_;
+  std::unique_ptr<RecognisedTree> recognised_;
+  std::optional<TSplines> splines_;
+  PerAxis<std::optional<LineRuns>> runs_;
+};
+
+}  // namespace asts

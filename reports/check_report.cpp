@@ -1,0 +1,66 @@
+#include "reports/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/witness_json.hpp"
+#include "reports/witness_text.hpp"
+
+namespace asts {
+
+std::string check_json(const CheckRecord& record) {
+  nlohmann::ordered_json json{{"case", record.case_name},
+                              {"step", record.step},
+                              {"elements", record.elements},
+                              {"new_elements", record.new_elements}};
+  json["max_level"] = record.max_level ? nlohmann::ordered_json(*record.max_level) : nlohmann::ordered_json(nullptr);
+  json["active_nodes"] = record.active_nodes;
+  json["properties"] = nlohmann::ordered_json::object();
+  for (const CheckRecord::Entry& entry : record.entries) {
+    json["properties"][entry.property->id] = verdict_json(entry.verdict);
+  }
+  if (!record.mesh_case.empty()) json["mesh"] = record.mesh_case;
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string check_text(const CheckRecord& record) {
+  std::string result = fmt::format("{}: step {}: {} elements ({} new), {}, {} active nodes:", record.case_name,
+                                   record.step, record.elements, record.new_elements,
+                                   record.max_level ? fmt::format("level {}", *record.max_level) : "no integer levels",
+                                   record.active_nodes);
+  std::string held;
+  std::string rest;
+  for (const CheckRecord::Entry& entry : record.entries) {
+    if (entry.verdict.outcome == Outcome::holds) {
+      held += std::string(held.empty() ? "" : ", ") + entry.property->id;
+      continue;
+    }
+    rest += fmt::format("  {}: {} ({})\n", outcome_name(entry.verdict.outcome), entry.property->id,
+                        entry.property->source);
+    if (!entry.verdict.reason.empty()) rest += fmt::format("      {}\n", entry.verdict.reason);
+    if (!entry.verdict.witness) continue;
+    rest += fmt::format("      it should be that {}; but\n", entry.property->statement);
+    rest += witness_text(*entry.verdict.witness);
+  }
+  result += held.empty() ? "\n" : rest.empty() && record.entries.size() > 1 ? " all hold\n" : fmt::format(" {} hold\n", held);
+  return result + rest;
+}
+
+std::string refine_json(const RefineRecord& record) {
+  const nlohmann::ordered_json json{{"step", record.counts.step},
+                                    {"marked", record.counts.marked},
+                                    {"subdivided", record.counts.subdivided},
+                                    {"elements", record.elements},
+                                    {"new_elements", record.new_elements}};
+  return json.dump() + "\n";
+}
+
+std::string refine_text_header() {
+  return fmt::format("{:>6}  {:>10}  {:>10}  {:>12}  {:>12}\n", "step", "marked", "subdivided", "elements", "new elements");
+}
+
+std::string refine_text(const RefineRecord& record) {
+  return fmt::format("{:>6}  {:>10}  {:>10}  {:>12}  {:>12}\n", record.counts.step, record.counts.marked,
+                     record.counts.subdivided, record.elements, record.new_elements);
+}
+
+}  // namespace asts
