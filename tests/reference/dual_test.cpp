@@ -93,6 +93,17 @@ TEST(ReferenceDual, TranslationAndScalingChangeNothing) {
   EXPECT_EQ(lambda_remembered<Grid>({0, 2, 4, 6, 8}, {3, 4, 5, 6, 10}), value);
 }
 
+// Degrees 3, 5, 3: factors sqrt 2, sqrt 3, sqrt 2 in their own fields; the product 2 sqrt 3 in the field of 2 cos(pi/12).
+TEST(ReferenceDual, FactorsOfMixedDegreesMeetInOneField) {
+  const std::array<int, dimension> degree{3, 5, 3};
+  const CosineField& field = common_field(degree);
+  EXPECT_EQ(field.n(), 12);
+  const Number value = product_of_factors(degree, {Number{0, 1}, Number{0, 1}, Number{0, 1}});
+  EXPECT_EQ(value, field.scale(2, CosineField::get(6).embed({0, 1}, field)));
+  EXPECT_EQ(field.multiply(value, value), field.rational(12));
+  EXPECT_EQ(common_field({3, 5, 7}).n(), 24);
+}
+
 TEST(ReferenceDual, NothingRemainsOutsideTheSupport) {
   EXPECT_TRUE(is_zero(lambda({0, 1, 2, 3, 4}, {4, 5, 6, 7, 8})));
   EXPECT_TRUE(is_zero(lambda({0, 1, 2, 3, 4}, {-9, -8, -7, -6, -5})));

@@ -22,9 +22,6 @@ std::vector<T> slices(const Space<T>& space, std::size_t axis) {
   return result;
 }
 
-namespace {
-
-/// The intersection of two closed boxes, nothing when they are disjoint. Touching boxes intersect.
 template <class T>
 std::optional<BasicBox<T>> closed_intersection(const BasicBox<T>& first, const BasicBox<T>& second) {
   BasicBox<T> result;
@@ -35,6 +32,8 @@ std::optional<BasicBox<T>> closed_intersection(const BasicBox<T>& first, const B
   }
   return result;
 }
+
+namespace {
 
 template <class T>
 void keep_each_once(std::vector<BasicBox<T>>& boxes) {
@@ -126,6 +125,7 @@ std::optional<std::pair<std::size_t, std::size_t>> not_dual_compatible(const std
 #define ASTS_REFERENCE_INSTANTIATE(T)                                                                               \
   template bool in_slice_nodes(const Space<T>&, std::size_t, const T&, const PointIn<T>&);                          \
   template std::vector<T> slices(const Space<T>&, std::size_t);                                                     \
+  template std::optional<BasicBox<T>> closed_intersection(const BasicBox<T>&, const BasicBox<T>&);                  \
   template std::vector<BasicBox<T>> slice_perturbation(const Space<T>&, const std::vector<ActiveNode<T>>&,          \
                                                        std::size_t, const T&);                                      \
   template bool in_perturbed_region(const Space<T>&, const std::vector<ActiveNode<T>>&, std::size_t,                \

@@ -14,6 +14,11 @@ bool in_slice_nodes(const Space<T>& space, std::size_t axis, const T& q, const P
 template <class T>
 std::vector<T> slices(const Space<T>& space, std::size_t axis);
 
+/// The intersection of two closed boxes (points, edges and rectangles among them), nothing when they are disjoint.
+/// Touching boxes intersect.
+template <class T>
+std::optional<BasicBox<T>> closed_intersection(const BasicBox<T>& first, const BasicBox<T>& second);
+
 /// Definition 5.1: R_x(q) as a union of closed rectangles: the slice S_x(q) of the closed active region, cut with
 /// supp B_v and supp B_w, for every v in N_x(q) and w in N_A \ N_x(q). Closed supports: touching counts. Each rectangle
 /// once; those that lie in another one are kept.
