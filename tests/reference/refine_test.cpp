@@ -17,17 +17,27 @@ std::size_t new_elements(const Setting& setting, const Mesh& mesh) {
   return count;
 }
 
-// Example 2.10, m = 16: the corner element is marked until it has the size 1/16 x 1/16 x 1/16; 1030 new elements.
-TEST(ReferenceRefine, ExampleTableForGradingSixteen) {
-  const Setting setting{{3, 3, 3}, 16, {4, 5, 8}};
+/// Marks the corner element of the 4 x 5 x 8 mesh until it has the level `last`; the mesh and the number of steps.
+std::pair<Mesh, int> corner_refinement(const Setting& setting, int last) {
   Mesh mesh = initial_mesh(setting);
   const Point corner{0, 0, 0};
   int steps = 0;
-  for (; level(setting, mesh[*element_at(setting, mesh, corner)]) != 3; ++steps)
+  for (; level(setting, mesh[*element_at(setting, mesh, corner)]) != last; ++steps)
     mesh = refine(setting, mesh, {*element_at(setting, mesh, corner)});
-  EXPECT_EQ(steps, 3);
-  EXPECT_EQ(new_elements(setting, mesh), 1030U);
-  EXPECT_TRUE(admissible_mesh(setting, mesh, refinement_tree(setting, mesh)));
+  return {mesh, steps};
+}
+
+// Example 2.10: the corner element is marked until it has the size 1/16 x 1/16 x 1/16, volume 2^-12: level 3 for
+// m = 16, level 6 for m = 4. The row m = 2 (12 steps, 10728 new elements) comes out too, in a minute.
+TEST(ReferenceRefine, ExampleTableForGradingsSixteenAndFour) {
+  const Setting sixteen{{3, 3, 3}, 16, {4, 5, 8}}, four{{3, 3, 3}, 4, {4, 5, 8}};
+  const auto [coarse, coarse_steps] = corner_refinement(sixteen, 3);
+  EXPECT_EQ(coarse_steps, 3);
+  EXPECT_EQ(new_elements(sixteen, coarse), 1030U);
+  EXPECT_TRUE(admissible_mesh(sixteen, coarse, refinement_tree(sixteen, coarse)));
+  const auto [fine, fine_steps] = corner_refinement(four, 6);
+  EXPECT_EQ(fine_steps, 6);
+  EXPECT_EQ(new_elements(four, fine), 3175U);
 }
 
 // The half [0,1/2] x [0,1] x [0,1] has level 1 and U = (0, 1/4 + 9/4) x (0, 5) x (0, 5), clipped to the domain
