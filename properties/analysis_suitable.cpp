@@ -10,19 +10,16 @@ namespace {
 PerturbationInfo describe_perturbation(MeshUnderTest& mesh, const RegionsMeet& meeting, Axis axis,
                                        const Perturbation& piece) {
   const auto a = static_cast<std::size_t>(axis);
-  const LineRuns& runs = mesh.runs(axis == 0 ? 1 : 0);  // as find_meeting_regions takes them
-  const HalfRank along = meeting.point[static_cast<std::size_t>(runs.axis)];
-  const auto node = [&](std::int32_t run) {
-    return describe_node(mesh.mesh(), mesh.splines(), node_covering(mesh.splines(), runs, run, along));
-  };
-  return {axis, coordinate_of(mesh.mesh(), axis, meeting.point[a]), node(piece.in), node(piece.out)};
+  const auto [in, out] = nodes_behind(mesh.splines(), mesh.bricks(), piece, axis, meeting.point);
+  return {axis, coordinate_of(mesh.mesh(), axis, meeting.point[a]), describe_node(mesh.mesh(), mesh.splines(), in),
+          describe_node(mesh.mesh(), mesh.splines(), out)};
 }
 
 }  // namespace
 
 Verdict decide_analysis_suitable(MeshUnderTest& mesh) {
   if (auto verdict = lacks_splines(mesh)) return *verdict;
-  const auto meeting = find_meeting_regions(mesh.splines(), mesh.runs(0), mesh.runs(1));
+  const auto meeting = find_meeting_regions(mesh.splines(), mesh.bricks());
   if (!meeting) return Verdict::holds();
   ExactPoint point;
   for (Axis axis = 0; axis < kDimension; ++axis) {

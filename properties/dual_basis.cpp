@@ -8,9 +8,9 @@ namespace asts {
 
 Verdict decide_dual_basis(MeshUnderTest& mesh) {
   if (auto verdict = lacks_splines(mesh)) return *verdict;
-  const DualBasisFailures failures = find_dual_failures(mesh.mesh(), mesh.splines(), mesh.runs(0));
-  if (!failures.least) return Verdict::holds();
-  const auto [v, w] = *failures.least;
+  const DualBasisFailures failures = find_dual_failures(mesh.mesh(), mesh.splines(), mesh.bricks());
+  if (!failures.one) return Verdict::holds();
+  const auto [v, w] = *failures.one;
   DualValue value = dual_value(mesh.mesh(), mesh.splines(), v, w);
   return Verdict::violated(LambdaNotDeltaWitness{describe_node(mesh.mesh(), mesh.splines(), v),
                                                  describe_node(mesh.mesh(), mesh.splines(), w),

@@ -53,10 +53,9 @@ const TSplines& MeshUnderTest::splines() {
   return *splines_;
 }
 
-const LineRuns& MeshUnderTest::runs(Axis axis) {
-  auto& runs = runs_[at(axis)];
-  if (!runs) runs = line_runs(splines(), axis, pair_budget);
-  return *runs;
+const Bricks& MeshUnderTest::bricks() {
+  if (!bricks_) bricks_ = bricks_of(splines(), pair_budget);
+  return *bricks_;
 }
 
 std::int64_t MeshUnderTest::new_elements() const {

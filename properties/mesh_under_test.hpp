@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "lib/mesh/mesh.hpp"
-#include "lib/spline/line_runs.hpp"
+#include "lib/spline/bricks.hpp"
 #include "lib/spline/tsplines.hpp"
 
 namespace asts {
@@ -19,7 +19,7 @@ class MeshUnderTest {
   /// An explicit mesh. Its refinement tree consists of the boxes that the class has and the elements above them.
   explicit MeshUnderTest(Mesh mesh);
 
-  /// Pairs of runs that may be looked at for one property; beyond it the verdict is undecided.
+  /// Pairs of bricks that may be looked at for one property; beyond it the verdict is undecided.
   std::size_t pair_budget = std::numeric_limits<std::size_t>::max();
 
   const Mesh& mesh() const { return mesh_; }
@@ -30,7 +30,7 @@ class MeshUnderTest {
   std::vector<std::int32_t> tree_elements() const;
 
   const TSplines& splines();
-  const LineRuns& runs(Axis axis);
+  const Bricks& bricks();
 
   std::int64_t new_elements() const;
   /// The highest integer level of an element, if any has one.
@@ -41,7 +41,7 @@ class MeshUnderTest {
   const RefinementTree* tree_;
   std::unique_ptr<RecognisedTree> recognised_;
   std::optional<TSplines> splines_;
-  PerAxis<std::optional<LineRuns>> runs_;
+  std::optional<Bricks> bricks_;
 };
 
 }  // namespace asts

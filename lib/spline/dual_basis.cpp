@@ -1,7 +1,9 @@
 #include "lib/spline/dual_basis.hpp"
 
-#include <algorithm>
 #include <numeric>
+
+#include "lib/exact/errors.hpp"
+#include "lib/spline/pair_table.hpp"
 
 namespace asts {
 
@@ -24,33 +26,177 @@ FieldElement product(const PerAxis<FieldElement>& factors) {
   return value;
 }
 
+/// What lambda does along one axis for all pairs of indices of two bricks.
+struct AxisCounts {
+  std::int64_t meeting = 0;  ///< pairs of index vectors whose ranges have common interior
+  std::int64_t nonzero = 0;  ///< of these, those with lambda other than 0
+};
+
+/// The factors along one axis; each ordered pair of index vectors is evaluated once, each pair of profiles counted once.
+class AxisFactors {
+ public:
+  AxisFactors(const Mesh& mesh, const TSplines& splines, const Bricks& bricks, Axis axis)
+      : mesh_(mesh), splines_(splines), bricks_(bricks), axis_(axis), functional_(mesh.setting.degree[at(axis)]) {}
+
+  const AxisCounts& counts(const Brick& one, const Brick& other) {
+    const std::int32_t a = one.profile[at(axis_)];
+    const std::int32_t b = other.profile[at(axis_)];
+    return counts_.get(a, b, [&] { return count(bricks_.profile(one, axis_), bricks_.profile(other, axis_)); });
+  }
+
+  bool is_zero(std::int32_t x, std::int32_t x_tilde) {
+    return zero_.get(x, x_tilde, [&] { return lambda(x, x_tilde).is_zero(); });
+  }
+
+  FieldElement lambda(std::int32_t x, std::int32_t x_tilde) {
+    return functional_.lambda(coordinates(mesh_, splines_, axis_, x), coordinates(mesh_, splines_, axis_, x_tilde));
+  }
+
+  bool is_one(std::int32_t x) {
+    return one_.get(x, x, [&] { return lambda(x, x) == Rational(1); });
+  }
+
+  bool meet(std::int32_t x, std::int32_t x_tilde) const {
+    const IndexVectors& vectors = splines_.vectors[at(axis_)];
+    return interiors_meet(RankInterval{vectors.front(x), vectors.back(x)},
+                          RankInterval{vectors.front(x_tilde), vectors.back(x_tilde)});
+  }
+
+ private:
+  AxisCounts count(const AxisProfile& one, const AxisProfile& other) {
+    AxisCounts result;
+    for (const std::int32_t x : one.vector_ids) {
+      for (const std::int32_t x_tilde : other.vector_ids) {
+        if (!meet(x, x_tilde)) continue;
+        ++result.meeting;
+        result.nonzero += is_zero(x, x_tilde) ? 0 : 1;
+      }
+    }
+    return result;
+  }
+
+  const Mesh& mesh_;
+  const TSplines& splines_;
+  const Bricks& bricks_;
+  Axis axis_;
+  DualFunctional functional_;
+  PairTable<bool> zero_;
+  PairTable<bool> one_;
+  PairTable<AxisCounts> counts_;
+};
+
+class DualFailures {
+ public:
+  DualFailures(const Mesh& mesh, const TSplines& splines, const Bricks& bricks) : splines_(splines), bricks_(bricks) {
+    factors_.reserve(kDimension);
+    for (Axis axis = 0; axis < kDimension; ++axis) factors_.emplace_back(mesh, splines, bricks, axis);
+  }
+
+  /// All ordered pairs with v in brick i and w in brick j, except v = w.
+  void ask(std::int32_t i, std::int32_t j) {
+    const Brick& one = bricks_.bricks[at(i)];
+    const Brick& other = bricks_.bricks[at(j)];
+    std::int64_t meeting = 1;
+    std::int64_t nonzero = 1;
+    for (AxisFactors& factors : factors_) {
+      const AxisCounts& counts = factors.counts(one, other);
+      meeting *= counts.meeting;
+      nonzero *= counts.nonzero;
+    }
+    result_.pairs += meeting;
+    if (i == j) nonzero -= diagonal_nonzero(one);
+    result_.failures += nonzero;
+    if (nonzero > 0 && (!first_ || std::pair{i, j} < *first_)) first_ = {i, j};
+  }
+
+  /// v = w for all nodes of a brick: the product is to be 1.
+  void ask_diagonal(std::int32_t i) {
+    const Brick& brick = bricks_.bricks[at(i)];
+    bool all_one = true;
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      for (const std::int32_t id : bricks_.profile(brick, axis).vector_ids) {
+        all_one = all_one && factors_[at(axis)].is_one(id);
+      }
+    }
+    if (!all_one) ask_diagonal_nodes(brick);
+  }
+
+  DualBasisFailures result() {
+    result_.one = diagonal_failure_;
+    if (first_) {
+      const NodePair pair = failing_nodes(bricks_.bricks[at(first_->first)], bricks_.bricks[at(first_->second)]);
+      if (!result_.one || pair < *result_.one) result_.one = pair;
+    }
+    return result_;
+  }
+
+ private:
+  std::int64_t diagonal_nonzero(const Brick& brick) {
+    std::int64_t nonzero = 1;
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      std::int64_t along = 0;
+      for (const std::int32_t id : bricks_.profile(brick, axis).vector_ids) {
+        along += factors_[at(axis)].is_zero(id, id) ? 0 : 1;
+      }
+      nonzero *= along;
+    }
+    return nonzero;
+  }
+
+  void ask_diagonal_nodes(const Brick& brick) {
+    for (std::int32_t place = brick.begin; place < brick.begin + brick.count[0] * brick.count[1] * brick.count[2];
+         ++place) {
+      const std::int32_t node = bricks_.members[at(place)];
+      const auto factor = [&](Axis axis) {
+        const std::int32_t id = splines_.vector_ids[at(node)][at(axis)];
+        return factors_[at(axis)].lambda(id, id);
+      };
+      if (product({factor(0), factor(1), factor(2)}) == Rational(1)) continue;
+      ++result_.failures;
+      const NodePair pair{node, node};
+      if (!diagonal_failure_ || pair < *diagonal_failure_) diagonal_failure_ = pair;
+    }
+  }
+
+  /// The first failing pair of two bricks, or of one, that is not on the diagonal: in each axis the first pair of
+  /// indices with a factor other than 0, and one that differs from the diagonal where it must.
+  NodePair failing_nodes(const Brick& one, const Brick& other) {
+    for (Axis off = 0; off < kDimension; ++off) {  // the axis along which v and w differ, if they are in one brick
+      PerAxis<std::int32_t> v;
+      PerAxis<std::int32_t> w;
+      bool found = true;
+      for (Axis axis = 0; axis < kDimension; ++axis) {
+        const bool differ = &one == &other && axis == off;
+        found = found && first_nonzero(one, other, axis, differ, v[at(axis)], w[at(axis)]);
+      }
+      if (found) return {bricks_.node(one, v), bricks_.node(other, w)};
+    }
+    throw InternalError("the bricks have no failing pair");
+  }
+
+  bool first_nonzero(const Brick& one, const Brick& other, Axis axis, bool differ, std::int32_t& i, std::int32_t& j) {
+    const AxisProfile& rows = bricks_.profile(one, axis);
+    const AxisProfile& columns = bricks_.profile(other, axis);
+    for (i = 0; i < one.count[at(axis)]; ++i) {
+      for (j = 0; j < other.count[at(axis)]; ++j) {
+        const std::int32_t x = rows.vector_ids[at(i)];
+        const std::int32_t x_tilde = columns.vector_ids[at(j)];
+        if (differ && i == j) continue;
+        if (factors_[at(axis)].meet(x, x_tilde) && !factors_[at(axis)].is_zero(x, x_tilde)) return true;
+      }
+    }
+    return false;
+  }
+
+  const TSplines& splines_;
+  const Bricks& bricks_;
+  std::vector<AxisFactors> factors_;
+  DualBasisFailures result_;
+  std::optional<std::pair<std::int32_t, std::int32_t>> first_;
+  std::optional<NodePair> diagonal_failure_;
+};
+
 }  // namespace
-
-VectorPairings::VectorPairings(const Mesh& mesh, const TSplines& splines, Axis axis)
-    : mesh_(mesh), splines_(splines), axis_(axis), functional_(mesh.setting.degree[at(axis)]) {
-  values_.emplace_back(functional_.field(), Rational(0));
-  values_.emplace_back(functional_.field(), Rational(1));
-}
-
-FieldElement VectorPairings::lambda(std::int32_t x, std::int32_t x_tilde) {
-  return values_[at(slot(x, x_tilde))];
-}
-
-std::int32_t VectorPairings::slot(std::int32_t x, std::int32_t x_tilde) {
-  const std::uint64_t key = static_cast<std::uint64_t>(x) << 32 | static_cast<std::uint32_t>(x_tilde);
-  const auto [place, is_new] = slots_.try_emplace(key, 0);
-  if (is_new) place->second = evaluate(x, x_tilde);
-  return place->second;
-}
-
-std::int32_t VectorPairings::evaluate(std::int32_t x, std::int32_t x_tilde) {
-  FieldElement value = functional_.lambda(coordinates(mesh_, splines_, axis_, x),
-                                          coordinates(mesh_, splines_, axis_, x_tilde));
-  if (value.is_zero()) return kZero;
-  if (value == Rational(1)) return kOne;
-  values_.push_back(std::move(value));
-  return static_cast<std::int32_t>(values_.size()) - 1;
-}
 
 DualValue dual_value(const Mesh& mesh, const TSplines& splines, std::int32_t v, std::int32_t w) {
   const auto factor = [&](Axis axis) {
@@ -64,102 +210,15 @@ DualValue dual_value(const Mesh& mesh, const TSplines& splines, std::int32_t v, 
   return {std::move(factors), std::move(value)};
 }
 
-namespace {
-
-class DualFailures {
- public:
-  DualFailures(const Mesh& mesh, const TSplines& splines, const LineRuns& runs)
-      : splines_(splines), runs_(runs), order_(splines.line_order[at(runs.axis)]) {
-    pairings_.reserve(kDimension);
-    for (Axis axis = 0; axis < kDimension; ++axis) pairings_.emplace_back(mesh, splines, axis);
+DualBasisFailures find_dual_failures(const Mesh& mesh, const TSplines& splines, const Bricks& bricks) {
+  DualFailures failures(mesh, splines, bricks);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(bricks.bricks.size()); ++i) {
+    failures.ask(i, i);
+    failures.ask_diagonal(i);
   }
-
-  /// All ordered pairs with v in `one` and w in `other`.
-  void ask(const LineRun& one, const LineRun& other) {
-    if (!meet_across(one, other)) return;
-    result_.pairs += count_meeting(one, other);
-    for (Axis axis = 0; axis < kDimension; ++axis) {
-      if (axis == runs_.axis) continue;
-      if (pairings_[at(axis)].is_zero(vector_of(one.begin, axis), vector_of(other.begin, axis))) return;
-    }
-    for (std::int32_t i = one.begin; i < one.end; ++i) {
-      for (std::int32_t j = other.begin; j < other.end; ++j) ask_nodes(order_[at(i)], order_[at(j)]);
-    }
-  }
-
-  DualBasisFailures result() const { return result_; }
-
- private:
-  std::int32_t vector_of(std::int32_t place, Axis axis) const {
-    return splines_.vector_ids[at(order_[at(place)])][at(axis)];
-  }
-
-  bool meet_across(const LineRun& one, const LineRun& other) const {
-    for (Axis axis = 0; axis < kDimension; ++axis) {
-      if (axis == runs_.axis) continue;
-      if (one.support.lower[at(axis)] >= other.support.upper[at(axis)]) return false;
-      if (other.support.lower[at(axis)] >= one.support.upper[at(axis)]) return false;
-    }
-    return true;
-  }
-
-  /// Pairs of nodes whose supports meet along the runs. Lower and upper ends ascend along a run, so those that meet a
-  /// given support stand together, and both ends of their range only move on.
-  std::int64_t count_meeting(const LineRun& one, const LineRun& other) const {
-    std::int64_t count = 0;
-    std::int32_t first = other.begin;
-    std::int32_t last = other.begin;
-    for (std::int32_t i = one.begin; i < one.end; ++i) {
-      const RankInterval side = splines_.support(order_[at(i)], runs_.axis);
-      while (first < other.end && splines_.support(order_[at(first)], runs_.axis).upper <= side.lower) ++first;
-      last = std::max(last, first);
-      while (last < other.end && splines_.support(order_[at(last)], runs_.axis).lower < side.upper) ++last;
-      count += last - first;
-    }
-    return count;
-  }
-
-  void ask_nodes(std::int32_t v, std::int32_t w) {
-    if (!interiors_meet(splines_.support(v, runs_.axis), splines_.support(w, runs_.axis))) return;
-    if (v == w ? is_one(v) : is_zero(v, w, runs_.axis)) return;
-    ++result_.failures;
-    const NodePair pair{v, w};
-    if (!result_.least || pair < *result_.least) result_.least = pair;
-  }
-
-  bool is_zero(std::int32_t v, std::int32_t w, Axis axis) {
-    return pairings_[at(axis)].is_zero(splines_.vector_ids[at(v)][at(axis)], splines_.vector_ids[at(w)][at(axis)]);
-  }
-
-  bool is_one(std::int32_t v) {
-    bool all_one = true;
-    for (Axis axis = 0; axis < kDimension; ++axis) {
-      const std::int32_t id = splines_.vector_ids[at(v)][at(axis)];
-      all_one = all_one && pairings_[at(axis)].is_one(id, id);
-    }
-    if (all_one) return true;
-    const auto factor = [&](Axis axis) {
-      const std::int32_t id = splines_.vector_ids[at(v)][at(axis)];
-      return pairings_[at(axis)].lambda(id, id);
-    };
-    return product({factor(0), factor(1), factor(2)}) == Rational(1);
-  }
-
-  const TSplines& splines_;
-  const LineRuns& runs_;
-  const std::vector<std::int32_t>& order_;
-  std::vector<VectorPairings> pairings_;
-  DualBasisFailures result_;
-};
-
-}  // namespace
-
-DualBasisFailures find_dual_failures(const Mesh& mesh, const TSplines& splines, const LineRuns& runs) {
-  DualFailures failures(mesh, splines, runs);
-  for (const LineRun& run : runs.runs) failures.ask(run, run);
-  for (const auto& [i, j] : runs.pairs) {
-    failures.ask(runs.runs[at(i)], runs.runs[at(j)]);
-    failures.ask(runs.runs[at(j)], runs.runs[at(i)]);
+  for (const auto& [i, j] : bricks.pairs) {
+    failures.ask(i, j);
+    failures.ask(j, i);
   }
   return failures.result();
 }

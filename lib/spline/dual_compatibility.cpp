@@ -2,60 +2,57 @@
 
 #include <algorithm>
 
+#include "lib/spline/axis_overlap.hpp"
+
 namespace asts {
 
 namespace {
 
 std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
 
-class IncompatiblePairs {
- public:
-  IncompatiblePairs(const TSplines& splines, const LineRuns& runs)
-      : splines_(splines), runs_(runs), order_(splines.line_order[at(runs.axis)]) {}
-
-  void ask(const LineRun& one, const LineRun& other) {
-    int failing = 0;
-    for (Axis axis = 0; axis < kDimension; ++axis) {
-      if (axis == runs_.axis) continue;
-      if (one.support.lower[at(axis)] >= other.support.upper[at(axis)]) return;
-      if (other.support.lower[at(axis)] >= one.support.upper[at(axis)]) return;
-      failing += overlaps_along(order_[at(one.begin)], order_[at(other.begin)], axis) ? 0 : 1;
-    }
-    if (failing == 0) return;
-    for (std::int32_t i = one.begin; i < one.end; ++i) {
-      for (std::int32_t j = other.begin; j < other.end; ++j) ask_nodes(order_[at(i)], order_[at(j)], failing);
-    }
+/// The indices that show, along an axis, that two bricks fail to overlap, or that they meet.
+std::pair<std::int32_t, std::int32_t> telling_indices(const TSplines& splines, const AxisProfile& one,
+                                                      const AxisProfile& other, Axis axis) {
+  std::vector<std::int32_t> missing;
+  append_missing(one.entries, other.entries, missing);
+  if (!missing.empty()) {
+    return {index_with_entry(splines, one, axis, missing.front()), index_around(splines, other, axis, missing.front())};
   }
-
-  std::optional<NodePair> least() const { return least_; }
-
- private:
-  bool overlaps_along(std::int32_t v, std::int32_t w, Axis axis) const {
-    const std::int32_t a = splines_.vector_ids[at(v)][at(axis)];
-    const std::int32_t b = splines_.vector_ids[at(w)][at(axis)];
-    return a == b || overlap(splines_.vectors[at(axis)][a], splines_.vectors[at(axis)][b]);
+  append_missing(other.entries, one.entries, missing);
+  if (!missing.empty()) {
+    return {index_around(splines, one, axis, missing.front()), index_with_entry(splines, other, axis, missing.front())};
   }
+  return indices_meeting(splines, one, other, axis);
+}
 
-  void ask_nodes(std::int32_t v, std::int32_t w, int failing) {
-    if (!interiors_meet(splines_.support(v, runs_.axis), splines_.support(w, runs_.axis))) return;
-    if (failing < 2 && overlaps_along(v, w, runs_.axis)) return;
-    const NodePair pair{std::min(v, w), std::max(v, w)};
-    if (!least_ || pair < *least_) least_ = pair;
+NodePair telling_nodes(const TSplines& splines, const Bricks& bricks, const Brick& one, const Brick& other) {
+  PerAxis<std::int32_t> v;
+  PerAxis<std::int32_t> w;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    std::tie(v[at(axis)], w[at(axis)]) =
+        telling_indices(splines, bricks.profile(one, axis), bricks.profile(other, axis), axis);
   }
-
-  const TSplines& splines_;
-  const LineRuns& runs_;
-  const std::vector<std::int32_t>& order_;
-  std::optional<NodePair> least_;
-};
+  const std::int32_t first = bricks.node(one, v);
+  const std::int32_t second = bricks.node(other, w);
+  return {std::min(first, second), std::max(first, second)};
+}
 
 }  // namespace
 
-std::optional<NodePair> find_incompatible(const TSplines& splines, const LineRuns& runs) {
-  // nodes of one run overlap across it, so only pairs of different runs can fail
-  IncompatiblePairs pairs(splines, runs);
-  for (const auto& [i, j] : runs.pairs) pairs.ask(runs.runs[at(i)], runs.runs[at(j)]);
-  return pairs.least();
+std::optional<NodePair> find_incompatible(const TSplines& splines, const Bricks& bricks) {
+  std::vector<AxisOverlap> overlaps;
+  for (Axis axis = 0; axis < kDimension; ++axis) overlaps.emplace_back(bricks, axis);
+  std::optional<std::pair<std::int32_t, std::int32_t>> least;
+  for (const auto& pair : bricks.pairs) {
+    const Brick& one = bricks.bricks[at(pair.first)];
+    const Brick& other = bricks.bricks[at(pair.second)];
+    if (!interiors_meet(one.support, other.support)) continue;
+    int overlapping = 0;
+    for (AxisOverlap& overlap : overlaps) overlapping += overlap.holds(one, other) ? 1 : 0;
+    if (overlapping < 2 && (!least || pair < *least)) least = pair;
+  }
+  if (!least) return std::nullopt;
+  return telling_nodes(splines, bricks, bricks.bricks[at(least->first)], bricks.bricks[at(least->second)]);
 }
 
 }  // namespace asts

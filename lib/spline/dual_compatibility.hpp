@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "lib/spline/line_runs.hpp"
+#include "lib/spline/bricks.hpp"
 
 namespace asts {
 
@@ -16,13 +16,15 @@ struct NodePair {
 };
 
 /// Definition 6.4: a mesh is dual-compatible if any two active nodes whose supports' intersection has positive volume
-/// partially overlap (Definition 6.3: their index vectors overlap along at least two of the three axes). Returns the
-/// least pair v < w that does not, or nothing if the mesh is dual-compatible.
+/// partially overlap (Definition 6.3: their index vectors overlap along at least two of the three axes). Returns a pair
+/// that does not, always the same for a mesh, or nothing if the mesh is dual-compatible.
 ///
-/// Along the two axes across the runs, all nodes of a run have the same index vectors, so that a pair of runs is asked
-/// once: if both axes overlap, all pairs of their nodes partially overlap, whatever happens along the runs.
-/// Cost: linear in the pairs of runs, and in the pairs of nodes of those runs that fail to overlap across.
-/// REQUIRES: runs of these splines, along any axis.
-std::optional<NodePair> find_incompatible(const TSplines& splines, const LineRuns& runs);
+/// Decided on pairs of bricks: two bricks have a pair of nodes that does not partially overlap, with supports that meet
+/// in positive volume, exactly if the bricks' supports meet so and the bricks fail to overlap along two axes or three.
+/// For the indices along the axes can be chosen independently of each other; where overlap fails along an axis, the two
+/// indices that show it have supports with common interior there (AxisOverlap), and along an axis where nothing is asked
+/// any pair with common interior will do. Nodes of one brick overlap along all axes.
+/// Cost: linear in the pairs of bricks.
+std::optional<NodePair> find_incompatible(const TSplines& splines, const Bricks& bricks);
 
 }  // namespace asts

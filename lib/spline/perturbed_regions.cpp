@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "lib/exact/errors.hpp"
+#include "lib/spline/axis_overlap.hpp"
 
 namespace asts {
 
@@ -17,16 +18,13 @@ bool less_box(const Box& one, const Box& other) {
 
 class RegionBuilder {
  public:
-  RegionBuilder(const TSplines& splines, const LineRuns& runs, Axis axis)
-      : splines_(splines), runs_(runs), axis_(axis) {}
+  RegionBuilder(const TSplines& splines, const Bricks& bricks, Axis axis)
+      : splines_(splines), bricks_(bricks), axis_(axis), overlap_(bricks, axis) {}
 
   void add_pair(std::int32_t i, std::int32_t j) {
-    const std::int32_t a = vector_of(i);
-    const std::int32_t b = vector_of(j);
-    const IndexVectors& vectors = splines_.vectors[at(axis_)];
-    if (a == b || overlap(vectors[a], vectors[b])) return;
-    add_slices(i, j, vectors[a], vectors[b]);
-    add_slices(j, i, vectors[b], vectors[a]);
+    if (overlap_.holds(bricks_.bricks[at(i)], bricks_.bricks[at(j)])) return;
+    add_slices(i, j);
+    add_slices(j, i);
   }
 
   std::vector<Perturbation> take() {
@@ -35,25 +33,20 @@ class RegionBuilder {
   }
 
  private:
-  std::int32_t vector_of(std::int32_t run) const {
-    const std::int32_t node = splines_.line_order[at(runs_.axis)][at(runs_.runs[at(run)].begin)];
-    return splines_.vector_ids[at(node)][at(axis_)];
-  }
-
-  void add_slices(std::int32_t in, std::int32_t out, std::span<const std::int32_t> has,
-                  std::span<const std::int32_t> lacks) {
+  void add_slices(std::int32_t in, std::int32_t out) {
+    const Brick& has = bricks_.bricks[at(in)];
+    const Brick& lacks = bricks_.bricks[at(out)];
     slices_.clear();
-    append_missing(has, lacks, slices_);
-    if (slices_.empty()) return;
+    append_missing(bricks_.profile(has, axis_).entries, bricks_.profile(lacks, axis_).entries, slices_);
     Perturbation piece{{}, in, out};
     for (Axis other = 0; other < kDimension; ++other) {
       if (other == axis_) continue;
-      const Box& one = runs_.runs[at(in)].support;
-      const Box& two = runs_.runs[at(out)].support;
       HalfRank& lower = piece.box.lower[at(other)];
       HalfRank& upper = piece.box.upper[at(other)];
-      lower = std::max(2 * std::max(one.lower[at(other)], two.lower[at(other)]), splines_.region.lower[at(other)]);
-      upper = std::min(2 * std::min(one.upper[at(other)], two.upper[at(other)]), splines_.region.upper[at(other)]);
+      lower = 2 * std::max(has.support.lower[at(other)], lacks.support.lower[at(other)]);
+      upper = 2 * std::min(has.support.upper[at(other)], lacks.support.upper[at(other)]);
+      lower = std::max(lower, splines_.region.lower[at(other)]);
+      upper = std::min(upper, splines_.region.upper[at(other)]);
       if (lower > upper) return;
     }
     for (const std::int32_t slice : slices_) {
@@ -75,8 +68,9 @@ class RegionBuilder {
   }
 
   const TSplines& splines_;
-  const LineRuns& runs_;
+  const Bricks& bricks_;
   Axis axis_;
+  AxisOverlap overlap_;
   std::vector<Perturbation> result_;
   std::size_t distinct_ = 0;
   std::vector<std::int32_t> slices_;
@@ -89,12 +83,21 @@ std::vector<Box> boxes_of(const std::vector<Perturbation>& pieces) {
   return boxes;
 }
 
+/// The first index of a brick whose support contains a position along an axis.
+std::int32_t index_covering(const TSplines& splines, const AxisProfile& profile, Axis axis, HalfRank position) {
+  const IndexVectors& vectors = splines.vectors[at(axis)];
+  for (std::size_t i = 0; i < profile.vector_ids.size(); ++i) {
+    const std::int32_t id = profile.vector_ids[i];
+    if (2 * vectors.front(id) <= position && position <= 2 * vectors.back(id)) return static_cast<std::int32_t>(i);
+  }
+  throw InternalError("no support of the brick covers the position");
+}
+
 }  // namespace
 
-std::vector<Perturbation> perturbed_region(const TSplines& splines, const LineRuns& runs, Axis axis) {
-  require(runs.axis != axis, "runs along the axis of the region do not share its index vectors");
-  RegionBuilder builder(splines, runs, axis);
-  for (const auto& [i, j] : runs.pairs) builder.add_pair(i, j);
+std::vector<Perturbation> perturbed_region(const TSplines& splines, const Bricks& bricks, Axis axis) {
+  RegionBuilder builder(splines, bricks, axis);
+  for (const auto& [i, j] : bricks.pairs) builder.add_pair(i, j);
   return builder.take();
 }
 
@@ -115,12 +118,9 @@ std::optional<RegionsMeet> find_common_point(const std::vector<Perturbation>& fi
   return least;
 }
 
-std::optional<RegionsMeet> find_meeting_regions(const TSplines& splines, const LineRuns& along_x,
-                                                const LineRuns& along_y) {
+std::optional<RegionsMeet> find_meeting_regions(const TSplines& splines, const Bricks& bricks) {
   PerAxis<std::vector<Perturbation>> regions;
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    regions[at(axis)] = perturbed_region(splines, axis == along_x.axis ? along_y : along_x, axis);
-  }
+  for (Axis axis = 0; axis < kDimension; ++axis) regions[at(axis)] = perturbed_region(splines, bricks, axis);
   for (Axis first = 0; first < kDimension; ++first) {
     for (Axis second = first + 1; second < kDimension; ++second) {
       if (auto meeting = find_common_point(regions[at(first)], first, regions[at(second)], second)) return meeting;
@@ -129,14 +129,20 @@ std::optional<RegionsMeet> find_meeting_regions(const TSplines& splines, const L
   return std::nullopt;
 }
 
-std::int32_t node_covering(const TSplines& splines, const LineRuns& runs, std::int32_t run, HalfRank position) {
-  const LineRun& members = runs.runs[at(run)];
-  for (std::int32_t i = members.begin; i < members.end; ++i) {
-    const std::int32_t node = splines.line_order[at(runs.axis)][at(i)];
-    const RankInterval support = splines.support(node, runs.axis);
-    if (2 * support.lower <= position && position <= 2 * support.upper) return node;
+std::pair<std::int32_t, std::int32_t> nodes_behind(const TSplines& splines, const Bricks& bricks,
+                                                   const Perturbation& piece, Axis axis,
+                                                   const PerAxis<HalfRank>& point) {
+  const Brick& in = bricks.bricks[at(piece.in)];
+  const Brick& out = bricks.bricks[at(piece.out)];
+  PerAxis<std::int32_t> v;
+  PerAxis<std::int32_t> w;
+  for (Axis other = 0; other < kDimension; ++other) {
+    const AxisProfile& has = bricks.profile(in, other);
+    v[at(other)] = other == axis ? index_with_entry(splines, has, axis, point[at(axis)] / 2)
+                                 : index_covering(splines, has, other, point[at(other)]);
+    w[at(other)] = index_covering(splines, bricks.profile(out, other), other, point[at(other)]);
   }
-  throw InternalError("no node of the run covers the position");
+  return {bricks.node(in, v), bricks.node(out, w)};
 }
 
 }  // namespace asts
