@@ -7,12 +7,10 @@ namespace asts {
 
 namespace {
 
-PerturbationInfo describe_perturbation(MeshUnderTest& mesh, const RegionsMeet& meeting, Axis axis,
-                                       const Perturbation& piece) {
-  const auto a = static_cast<std::size_t>(axis);
-  const auto [in, out] = nodes_behind(mesh.splines(), mesh.bricks(), piece, axis, meeting.point);
-  return {axis, coordinate_of(mesh.mesh(), axis, meeting.point[a]), describe_node(mesh.mesh(), mesh.splines(), in),
-          describe_node(mesh.mesh(), mesh.splines(), out)};
+PerturbationInfo describe_perturbation(MeshUnderTest& mesh, const PerAxis<HalfRank>& point, Axis axis) {
+  const auto [in, out] = nodes_behind(mesh.splines(), mesh.bricks(), axis, point);
+  return {axis, coordinate_of(mesh.mesh(), axis, point[static_cast<std::size_t>(axis)]),
+          describe_node(mesh.mesh(), mesh.splines(), in), describe_node(mesh.mesh(), mesh.splines(), out)};
 }
 
 }  // namespace
@@ -27,8 +25,8 @@ Verdict decide_analysis_suitable(MeshUnderTest& mesh) {
     point[a] = coordinate_of(mesh.mesh(), axis, meeting->point[a]);
   }
   return Verdict::violated(
-      RegionsMeetWitness{point, describe_perturbation(mesh, *meeting, meeting->first_axis, meeting->first),
-                         describe_perturbation(mesh, *meeting, meeting->second_axis, meeting->second)});
+      RegionsMeetWitness{point, describe_perturbation(mesh, meeting->point, meeting->first_axis),
+                         describe_perturbation(mesh, meeting->point, meeting->second_axis)});
 }
 
 }  // namespace asts

@@ -1,10 +1,11 @@
 #include "lib/spline/perturbed_regions.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <numeric>
 
 #include "lib/exact/errors.hpp"
 #include "lib/spline/axis_overlap.hpp"
+#include "lib/spline/rectangles.hpp"
 
 namespace asts {
 
@@ -12,137 +13,163 @@ namespace {
 
 std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
 
-bool less_box(const Box& one, const Box& other) {
-  return std::tie(one.lower, one.upper) < std::tie(other.lower, other.upper);
-}
-
-class RegionBuilder {
+/// The bricks that reach each slice of an axis inside the active region, and whether they have its line as an entry.
+class Slices {
  public:
-  RegionBuilder(const TSplines& splines, const Bricks& bricks, Axis axis)
-      : splines_(splines), bricks_(bricks), axis_(axis), overlap_(bricks, axis) {}
-
-  void add_pair(std::int32_t i, std::int32_t j) {
-    if (overlap_.holds(bricks_.bricks[at(i)], bricks_.bricks[at(j)])) return;
-    add_slices(i, j);
-    add_slices(j, i);
+  Slices(const TSplines& splines, const Bricks& bricks, Axis axis) : splines_(splines), bricks_(bricks), axis_(axis) {
+    const std::size_t a = at(axis);
+    first_ = (splines.region.lower[a] + 1) / 2;
+    const std::int32_t last = splines.region.upper[a] / 2;
+    begin_.assign(at(std::max(last - first_ + 1, 0)) + 1, 0);
+    for_each_visit([&](std::size_t slice, std::int32_t, bool) { ++begin_[slice + 1]; });
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    visits_.resize(begin_.back());
+    std::vector<std::size_t> next = begin_;
+    for_each_visit([&](std::size_t slice, std::int32_t brick, bool has) { visits_[next[slice]++] = 2 * brick + has; });
   }
 
-  std::vector<Perturbation> take() {
-    drop_repeated();
-    return std::move(result_);
+  std::size_t count() const { return begin_.size() - 1; }
+  HalfRank position(std::size_t slice) const { return 2 * (first_ + static_cast<std::int32_t>(slice)); }
+
+  /// The rectangles of the bricks that have the slice's line, or of those that reach it without having it.
+  void rectangles(std::size_t slice, bool has, std::vector<Rectangle>& result) const {
+    result.clear();
+    for (std::size_t i = begin_[slice]; i < begin_[slice + 1]; ++i) {
+      if ((visits_[i] & 1) == static_cast<std::int32_t>(has)) add_rectangle(bricks_.bricks[at(visits_[i] / 2)], result);
+    }
   }
 
  private:
-  void add_slices(std::int32_t in, std::int32_t out) {
-    const Brick& has = bricks_.bricks[at(in)];
-    const Brick& lacks = bricks_.bricks[at(out)];
-    slices_.clear();
-    append_missing(bricks_.profile(has, axis_).entries, bricks_.profile(lacks, axis_).entries, slices_);
-    Perturbation piece{{}, in, out};
-    for (Axis other = 0; other < kDimension; ++other) {
-      if (other == axis_) continue;
-      HalfRank& lower = piece.box.lower[at(other)];
-      HalfRank& upper = piece.box.upper[at(other)];
-      lower = 2 * std::max(has.support.lower[at(other)], lacks.support.lower[at(other)]);
-      upper = 2 * std::min(has.support.upper[at(other)], lacks.support.upper[at(other)]);
-      lower = std::max(lower, splines_.region.lower[at(other)]);
-      upper = std::min(upper, splines_.region.upper[at(other)]);
-      if (lower > upper) return;
+  template <typename Visit>
+  void for_each_visit(const Visit& visit) const {
+    const auto count = static_cast<std::int32_t>(begin_.size()) - 1;
+    for (std::int32_t id = 0; id < static_cast<std::int32_t>(bricks_.bricks.size()); ++id) {
+      const Brick& brick = bricks_.bricks[at(id)];
+      const std::vector<std::int32_t>& entries = bricks_.profile(brick, axis_).entries;
+      const std::int32_t lower = std::max(brick.support.lower[at(axis_)], first_);
+      const std::int32_t upper = std::min(brick.support.upper[at(axis_)], first_ + count - 1);
+      auto entry = std::lower_bound(entries.begin(), entries.end(), lower);
+      for (std::int32_t rank = lower; rank <= upper; ++rank) {
+        const bool has = entry != entries.end() && *entry == rank;
+        if (has) ++entry;
+        visit(at(rank - first_), id, has);
+      }
     }
-    for (const std::int32_t slice : slices_) {
-      if (!splines_.region.contains(axis_, 2 * slice)) continue;
-      piece.box.lower[at(axis_)] = piece.box.upper[at(axis_)] = 2 * slice;
-      result_.push_back(piece);
-    }
-    if (result_.size() > 2 * distinct_ + 65536) drop_repeated();
   }
 
-  void drop_repeated() {
-    std::sort(result_.begin(), result_.end(), [](const Perturbation& one, const Perturbation& other) {
-      if (!(one.box == other.box)) return less_box(one.box, other.box);
-      return std::tie(one.in, one.out) < std::tie(other.in, other.out);
-    });
-    const auto same = [](const Perturbation& one, const Perturbation& other) { return one.box == other.box; };
-    result_.erase(std::unique(result_.begin(), result_.end(), same), result_.end());
-    distinct_ = result_.size();
+  void add_rectangle(const Brick& brick, std::vector<Rectangle>& result) const {
+    Rectangle rectangle{};
+    std::size_t side = 0;
+    for (Axis other = 0; other < kDimension; ++other) {
+      if (other == axis_) continue;
+      rectangle.lower[side] = std::max(2 * brick.support.lower[at(other)], splines_.region.lower[at(other)]);
+      rectangle.upper[side] = std::min(2 * brick.support.upper[at(other)], splines_.region.upper[at(other)]);
+      if (rectangle.lower[side] > rectangle.upper[side]) return;
+      ++side;
+    }
+    result.push_back(rectangle);
   }
 
   const TSplines& splines_;
   const Bricks& bricks_;
   Axis axis_;
-  AxisOverlap overlap_;
-  std::vector<Perturbation> result_;
-  std::size_t distinct_ = 0;
-  std::vector<std::int32_t> slices_;
+  std::int32_t first_ = 0;            ///< the rank of the first slice
+  std::vector<std::size_t> begin_;    ///< of each slice's visits
+  std::vector<std::int32_t> visits_;  ///< twice the brick, plus 1 if it has the line
 };
 
-std::vector<Box> boxes_of(const std::vector<Perturbation>& pieces) {
-  std::vector<Box> boxes;
-  boxes.reserve(pieces.size());
-  for (const Perturbation& piece : pieces) boxes.push_back(piece.box);
-  return boxes;
+Box box_in_slice(Axis axis, HalfRank position, const Rectangle& rectangle) {
+  Box box;
+  std::size_t side = 0;
+  for (Axis other = 0; other < kDimension; ++other) {
+    box.lower[at(other)] = other == axis ? position : rectangle.lower[side];
+    box.upper[at(other)] = other == axis ? position : rectangle.upper[side];
+    if (other != axis) ++side;
+  }
+  return box;
 }
 
-/// The first index of a brick whose support contains a position along an axis.
-std::int32_t index_covering(const TSplines& splines, const AxisProfile& profile, Axis axis, HalfRank position) {
+std::optional<PerAxis<HalfRank>> least_common_point(const std::vector<Box>& first, const std::vector<Box>& second) {
+  std::optional<PerAxis<HalfRank>> least;
+  for_each_meeting_pair(first, second, [&](std::int32_t i, std::int32_t j) {
+    PerAxis<HalfRank> point;
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      point[axis] = std::max(first[at(i)].lower[axis], second[at(j)].lower[axis]);
+    }
+    if (!least || point < *least) least = point;
+  });
+  return least;
+}
+
+/// The first index of a brick whose support contains a position along an axis, if there is one.
+std::optional<std::int32_t> index_covering(const TSplines& splines, const AxisProfile& profile, Axis axis,
+                                           HalfRank position) {
   const IndexVectors& vectors = splines.vectors[at(axis)];
   for (std::size_t i = 0; i < profile.vector_ids.size(); ++i) {
     const std::int32_t id = profile.vector_ids[i];
     if (2 * vectors.front(id) <= position && position <= 2 * vectors.back(id)) return static_cast<std::int32_t>(i);
   }
-  throw InternalError("no support of the brick covers the position");
+  return std::nullopt;
+}
+
+/// A node of a brick whose support contains a point, if there is one.
+std::optional<std::int32_t> node_covering(const TSplines& splines, const Bricks& bricks, const Brick& brick,
+                                          const PerAxis<HalfRank>& point) {
+  PerAxis<std::int32_t> index;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto found = index_covering(splines, bricks.profile(brick, axis), axis, point[at(axis)]);
+    if (!found) return std::nullopt;
+    index[at(axis)] = *found;
+  }
+  return bricks.node(brick, index);
 }
 
 }  // namespace
 
-std::vector<Perturbation> perturbed_region(const TSplines& splines, const Bricks& bricks, Axis axis) {
-  RegionBuilder builder(splines, bricks, axis);
-  for (const auto& [i, j] : bricks.pairs) builder.add_pair(i, j);
-  return builder.take();
-}
-
-std::optional<RegionsMeet> find_common_point(const std::vector<Perturbation>& first, Axis first_axis,
-                                             const std::vector<Perturbation>& second, Axis second_axis) {
-  std::optional<RegionsMeet> least;
-  std::pair<std::int32_t, std::int32_t> least_pieces;
-  for_each_meeting_pair(boxes_of(first), boxes_of(second), [&](std::int32_t i, std::int32_t j) {
-    PerAxis<HalfRank> point;
-    for (std::size_t axis = 0; axis < kDimension; ++axis) {
-      point[axis] = std::max(first[at(i)].box.lower[axis], second[at(j)].box.lower[axis]);
+std::vector<Box> perturbed_region(const TSplines& splines, const Bricks& bricks, Axis axis) {
+  std::vector<Box> region;
+  const Slices slices(splines, bricks, axis);
+  UnionIntersection intersection;
+  std::vector<Rectangle> having;
+  std::vector<Rectangle> lacking;
+  for (std::size_t slice = 0; slice < slices.count(); ++slice) {
+    slices.rectangles(slice, true, having);
+    slices.rectangles(slice, false, lacking);
+    if (having.empty() || lacking.empty()) continue;
+    for (const Rectangle& rectangle : intersection.of(having, lacking)) {
+      region.push_back(box_in_slice(axis, slices.position(slice), rectangle));
     }
-    const std::pair pieces{i, j};
-    if (least && std::tie(least->point, least_pieces) <= std::tie(point, pieces)) return;
-    least = RegionsMeet{first_axis, second_axis, point, first[at(i)], second[at(j)]};
-    least_pieces = pieces;
-  });
-  return least;
+  }
+  return region;
 }
 
 std::optional<RegionsMeet> find_meeting_regions(const TSplines& splines, const Bricks& bricks) {
-  PerAxis<std::vector<Perturbation>> regions;
+  PerAxis<std::vector<Box>> regions;
   for (Axis axis = 0; axis < kDimension; ++axis) regions[at(axis)] = perturbed_region(splines, bricks, axis);
   for (Axis first = 0; first < kDimension; ++first) {
     for (Axis second = first + 1; second < kDimension; ++second) {
-      if (auto meeting = find_common_point(regions[at(first)], first, regions[at(second)], second)) return meeting;
+      if (const auto point = least_common_point(regions[at(first)], regions[at(second)])) {
+        return RegionsMeet{first, second, *point};
+      }
     }
   }
   return std::nullopt;
 }
 
-std::pair<std::int32_t, std::int32_t> nodes_behind(const TSplines& splines, const Bricks& bricks,
-                                                   const Perturbation& piece, Axis axis,
+std::pair<std::int32_t, std::int32_t> nodes_behind(const TSplines& splines, const Bricks& bricks, Axis axis,
                                                    const PerAxis<HalfRank>& point) {
-  const Brick& in = bricks.bricks[at(piece.in)];
-  const Brick& out = bricks.bricks[at(piece.out)];
-  PerAxis<std::int32_t> v;
-  PerAxis<std::int32_t> w;
-  for (Axis other = 0; other < kDimension; ++other) {
-    const AxisProfile& has = bricks.profile(in, other);
-    v[at(other)] = other == axis ? index_with_entry(splines, has, axis, point[at(axis)] / 2)
-                                 : index_covering(splines, has, other, point[at(other)]);
-    w[at(other)] = index_covering(splines, bricks.profile(out, other), other, point[at(other)]);
+  std::optional<std::int32_t> in;
+  std::optional<std::int32_t> out;
+  for (const Brick& brick : bricks.bricks) {
+    const auto node = node_covering(splines, bricks, brick, point);
+    if (!node) continue;
+    const auto vector = splines.index_vector(*node, axis);
+    const bool has = std::binary_search(vector.begin(), vector.end(), point[at(axis)] / 2);
+    auto& least = has ? in : out;
+    if (!least || *node < *least) least = node;
   }
-  return {bricks.node(in, v), bricks.node(out, w)};
+  ensure(in && out, "the point is in the perturbed region");
+  return {*in, *out};
 }
 
 }  // namespace asts
