@@ -26,10 +26,10 @@ FieldElement product(const PerAxis<FieldElement>& factors) {
   return value;
 }
 
-/// What lambda does along one axis for all pairs of indices of two bricks.
-struct AxisCounts {
-  std::int64_t meeting = 0;  ///< pairs of index vectors whose ranges have common interior
-  std::int64_t nonzero = 0;  ///< of these, those with lambda other than 0
+/// Of the pairs of indices of two bricks along one axis, how many have a factor other than 0.
+struct NonzeroCounts {
+  std::int32_t forward = 0;   ///< lambda of the first brick's vectors on the B-splines of the second's
+  std::int32_t backward = 0;  ///< the other way round
 };
 
 /// The factors along one axis; each ordered pair of index vectors is evaluated once, each pair of profiles counted once.
@@ -38,10 +38,24 @@ class AxisFactors {
   AxisFactors(const Mesh& mesh, const TSplines& splines, const Bricks& bricks, Axis axis)
       : mesh_(mesh), splines_(splines), bricks_(bricks), axis_(axis), functional_(mesh.setting.degree[at(axis)]) {}
 
-  const AxisCounts& counts(const Brick& one, const Brick& other) {
+  /// Counts pairs of index vectors whose ranges have common interior; for the others the factor is 0.
+  NonzeroCounts nonzero(const Brick& one, const Brick& other) {
     const std::int32_t a = one.profile[at(axis_)];
     const std::int32_t b = other.profile[at(axis_)];
-    return counts_.get(a, b, [&] { return count(bricks_.profile(one, axis_), bricks_.profile(other, axis_)); });
+    const NonzeroCounts counts = counts_.get(std::min(a, b), std::max(a, b), [&] {
+      const auto& profiles = bricks_.profiles[at(axis_)];
+      return count(profiles[at(std::min(a, b))], profiles[at(std::max(a, b))]);
+    });
+    return a <= b ? counts : NonzeroCounts{counts.backward, counts.forward};
+  }
+
+  /// Pairs of index vectors whose ranges have common interior.
+  std::int64_t meeting(const Brick& one, const Brick& other) const {
+    std::int64_t result = 0;
+    for (const std::int32_t x : bricks_.profile(one, axis_).vector_ids) {
+      for (const std::int32_t y : bricks_.profile(other, axis_).vector_ids) result += meet(x, y) ? 1 : 0;
+    }
+    return result;
   }
 
   bool is_zero(std::int32_t x, std::int32_t x_tilde) {
@@ -63,13 +77,13 @@ class AxisFactors {
   }
 
  private:
-  AxisCounts count(const AxisProfile& one, const AxisProfile& other) {
-    AxisCounts result;
+  NonzeroCounts count(const AxisProfile& one, const AxisProfile& other) {
+    NonzeroCounts result;
     for (const std::int32_t x : one.vector_ids) {
-      for (const std::int32_t x_tilde : other.vector_ids) {
-        if (!meet(x, x_tilde)) continue;
-        ++result.meeting;
-        result.nonzero += is_zero(x, x_tilde) ? 0 : 1;
+      for (const std::int32_t y : other.vector_ids) {
+        if (!meet(x, y)) continue;
+        result.forward += is_zero(x, y) ? 0 : 1;
+        result.backward += is_zero(y, x) ? 0 : 1;
       }
     }
     return result;
@@ -82,7 +96,7 @@ class AxisFactors {
   DualFunctional functional_;
   PairTable<bool> zero_;
   PairTable<bool> one_;
-  PairTable<AxisCounts> counts_;
+  PairTable<NonzeroCounts> counts_;
 };
 
 class DualFailures {
@@ -92,21 +106,28 @@ class DualFailures {
     for (Axis axis = 0; axis < kDimension; ++axis) factors_.emplace_back(mesh, splines, bricks, axis);
   }
 
-  /// All ordered pairs with v in brick i and w in brick j, except v = w.
+  /// All ordered pairs with v in one of two bricks and w in the other.
   void ask(std::int32_t i, std::int32_t j) {
     const Brick& one = bricks_.bricks[at(i)];
     const Brick& other = bricks_.bricks[at(j)];
-    std::int64_t meeting = 1;
-    std::int64_t nonzero = 1;
+    std::int64_t forward = 1;
+    std::int64_t backward = 1;
     for (AxisFactors& factors : factors_) {
-      const AxisCounts& counts = factors.counts(one, other);
-      meeting *= counts.meeting;
-      nonzero *= counts.nonzero;
+      const NonzeroCounts counts = factors.nonzero(one, other);
+      forward *= counts.forward;
+      backward *= counts.backward;
+      if (forward == 0 && backward == 0) return;
     }
-    result_.pairs += meeting;
-    if (i == j) nonzero -= diagonal_nonzero(one);
-    result_.failures += nonzero;
-    if (nonzero > 0 && (!first_ || std::pair{i, j} < *first_)) first_ = {i, j};
+    add_failures(i, j, forward);
+    add_failures(j, i, backward);
+  }
+
+  /// All ordered pairs of different nodes of a brick.
+  void ask_within(std::int32_t i) {
+    const Brick& brick = bricks_.bricks[at(i)];
+    std::int64_t nonzero = 1;
+    for (AxisFactors& factors : factors_) nonzero *= factors.nonzero(brick, brick).forward;
+    add_failures(i, i, nonzero - diagonal_nonzero(brick));
   }
 
   /// v = w for all nodes of a brick: the product is to be 1.
@@ -123,6 +144,7 @@ class DualFailures {
 
   DualBasisFailures result() {
     result_.one = diagonal_failure_;
+    if (result_.failures > 0) count_pairs();
     if (first_) {
       const NodePair pair = failing_nodes(bricks_.bricks[at(first_->first)], bricks_.bricks[at(first_->second)]);
       if (!result_.one || pair < *result_.one) result_.one = pair;
@@ -131,6 +153,24 @@ class DualFailures {
   }
 
  private:
+  void add_failures(std::int32_t i, std::int32_t j, std::int64_t count) {
+    if (count == 0) return;
+    result_.failures += count;
+    if (!first_ || std::pair{i, j} < *first_) first_ = {i, j};
+  }
+
+  void count_pairs() {
+    const auto meeting = [&](const Brick& one, const Brick& other) {
+      std::int64_t count = 1;
+      for (const AxisFactors& factors : factors_) count *= factors.meeting(one, other);
+      return count;
+    };
+    for (const Brick& brick : bricks_.bricks) result_.pairs += meeting(brick, brick);
+    for (const auto& [i, j] : bricks_.pairs) {
+      result_.pairs += 2 * meeting(bricks_.bricks[at(i)], bricks_.bricks[at(j)]);
+    }
+  }
+
   std::int64_t diagonal_nonzero(const Brick& brick) {
     std::int64_t nonzero = 1;
     for (Axis axis = 0; axis < kDimension; ++axis) {
@@ -213,13 +253,10 @@ DualValue dual_value(const Mesh& mesh, const TSplines& splines, std::int32_t v, 
 DualBasisFailures find_dual_failures(const Mesh& mesh, const TSplines& splines, const Bricks& bricks) {
   DualFailures failures(mesh, splines, bricks);
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(bricks.bricks.size()); ++i) {
-    failures.ask(i, i);
+    failures.ask_within(i);
     failures.ask_diagonal(i);
   }
-  for (const auto& [i, j] : bricks.pairs) {
-    failures.ask(i, j);
-    failures.ask(j, i);
-  }
+  for (const auto& [i, j] : bricks.pairs) failures.ask(i, j);
   return failures.result();
 }
 

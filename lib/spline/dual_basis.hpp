@@ -18,7 +18,8 @@ DualValue dual_value(const Mesh& mesh, const TSplines& splines, std::int32_t v, 
 
 /// How often lambda_v(B_w) = delta_vw fails.
 struct DualBasisFailures {
-  std::int64_t pairs = 0;       ///< ordered pairs (v, w), v = w among them, whose supports meet in positive volume
+  /// Ordered pairs (v, w), v = w among them, whose supports meet in positive volume; counted when one fails, else 0.
+  std::int64_t pairs = 0;
   std::int64_t failures = 0;    ///< of these
   std::optional<NodePair> one;  ///< a failing ordered pair, always the same for a mesh
 };

@@ -17,56 +17,51 @@ HalfRank half_rank(const Mesh& mesh, Axis axis, const Rational& coordinate) {
   return place != lines.end() && *place == coordinate ? 2 * rank : 2 * rank - 1;
 }
 
-LineWalker::LineWalker(const Mesh& mesh, Axis axis, const PerAxis<HalfRank>& position)
-    : mesh_(mesh), axis_(at(axis)), last_rank_(static_cast<std::int32_t>(mesh.coordinates[at(axis)].size()) - 1) {
-  quadrants_.push_back({});
+LineWalker::LineWalker(const Mesh& mesh, Axis axis, const PerAxis<HalfRank>& position, int direction)
+    : mesh_(mesh), axis_(at(axis)), direction_(direction), rank_(position[at(axis)] / 2) {
+  cells_.fill({});
   for (std::size_t other = 0; other < kDimension; ++other) {
     if (other == axis_) continue;
     const std::int32_t rank = position[other] / 2;
     const auto cells = static_cast<std::int32_t>(mesh.coordinates[other].size()) - 1;
-    std::vector<std::int32_t> intervals;
-    const bool on_line = position[other] % 2 == 0;
-    if (on_line && rank > 0) intervals.push_back(rank - 1);
-    if (rank < cells) intervals.push_back(rank);
-    std::vector<PerAxis<std::int32_t>> product;
-    for (PerAxis<std::int32_t> cell : quadrants_) {
-      for (const std::int32_t interval : intervals) {
-        cell[other] = interval;
-        product.push_back(cell);
-      }
+    const bool below = position[other] % 2 == 0 && rank > 0;
+    const bool above = rank < cells;
+    for (std::size_t quadrant = 0; quadrant < quadrants_; ++quadrant) {
+      cells_[quadrant][other] = above ? rank : rank - 1;
+      if (!below || !above) continue;
+      cells_[quadrants_ + quadrant] = cells_[quadrant];
+      cells_[quadrants_ + quadrant][other] = rank - 1;
     }
-    quadrants_ = std::move(product);
+    if (below && above) quadrants_ *= 2;
+  }
+  ends_.fill(rank_);
+}
+
+void LineWalker::enter_elements() {
+  for (std::size_t quadrant = 0; quadrant < quadrants_; ++quadrant) {
+    if (ends_[quadrant] != rank_) continue;
+    cells_[quadrant][axis_] = direction_ > 0 ? rank_ : rank_ - 1;
+    const Box& box = mesh_.elements[at(mesh_.locator.element_at(cells_[quadrant]))];
+    ends_[quadrant] = direction_ > 0 ? box.upper[axis_] : box.lower[axis_];
   }
 }
 
-std::int32_t LineWalker::element_beside(std::size_t quadrant, std::int32_t interval) const {
-  PerAxis<std::int32_t> cell = quadrants_[quadrant];
-  cell[axis_] = interval;
-  return mesh_.locator.element_at(cell);
-}
-
-bool LineWalker::crosses(std::int32_t rank) const {
-  if (rank == 0 || rank == last_rank_) return true;
-  for (std::size_t quadrant = 0; quadrant < quadrants_.size(); ++quadrant) {
-    if (mesh_.elements[at(element_beside(quadrant, rank))].lower[axis_] == rank) return true;
-  }
-  return false;
-}
-
-std::int32_t LineWalker::next(std::int32_t rank, int direction) const {
-  if (rank == (direction > 0 ? last_rank_ : 0)) return -1;
-  std::int32_t nearest = direction > 0 ? last_rank_ : 0;
-  for (std::size_t quadrant = 0; quadrant < quadrants_.size(); ++quadrant) {
-    const Box& box = mesh_.elements[at(element_beside(quadrant, direction > 0 ? rank : rank - 1))];
-    nearest = direction > 0 ? std::min(nearest, box.upper[axis_]) : std::max(nearest, box.lower[axis_]);
-  }
-  return nearest;
+std::int32_t LineWalker::next() {
+  const auto last = static_cast<std::int32_t>(mesh_.coordinates[axis_].size()) - 1;
+  if (rank_ == (direction_ > 0 ? last : 0)) return -1;
+  enter_elements();
+  const auto begin = ends_.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(quadrants_);
+  rank_ = direction_ > 0 ? *std::min_element(begin, end) : *std::max_element(begin, end);
+  return rank_;
 }
 
 std::vector<std::int32_t> global_index_set(const Mesh& mesh, Axis axis, const PerAxis<HalfRank>& position) {
-  const LineWalker walker(mesh, axis, position);
+  PerAxis<HalfRank> start = position;
+  start[at(axis)] = 0;
+  LineWalker walker(mesh, axis, start, +1);
   std::vector<std::int32_t> entries{0};
-  for (std::int32_t rank = walker.next(0, +1); rank >= 0; rank = walker.next(rank, +1)) entries.push_back(rank);
+  for (std::int32_t rank = walker.next(); rank >= 0; rank = walker.next()) entries.push_back(rank);
   return entries;
 }
 

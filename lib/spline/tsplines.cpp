@@ -37,30 +37,35 @@ class LineVectors {
 
   std::int32_t place(std::int32_t node) const { return nodes_.positions[at(node)][a_]; }
 
-  LineWalker walker_at(std::int32_t node) const {
+  LineWalker walker_at(std::int32_t node, int direction) const {
     PerAxis<HalfRank> position{};
     for (std::size_t axis = 0; axis < kDimension; ++axis) position[axis] = 2 * nodes_.positions[at(node)][axis];
-    return {mesh_, axis_, position};
+    return {mesh_, axis_, position, direction};
   }
 
-  /// The next entry above a node: the nearest upper end among the elements in the octants above it. Octants without an
-  /// element that has the node as a vertex are looked up.
+  /// The next entry above a node: the nearest upper end among the elements in the octants above it. An octant without an
+  /// element that has the node as a vertex is looked up. Active nodes are inside the domain: all octants have elements.
   std::int32_t next_above(std::int32_t node) const {
     std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
     for (std::size_t octant = 0; octant < ActiveNodes::kOctants; ++octant) {
       if ((octant >> a_ & 1) == 0) continue;
-      const std::int32_t element = nodes_.beside[at(node)][octant];
-      if (element < 0) return walker_at(node).next(place(node), +1);
+      std::int32_t element = nodes_.beside[at(node)][octant];
+      if (element < 0) element = element_in(node, octant);
       nearest = std::min(nearest, mesh_.elements[at(element)].upper[a_]);
     }
     return nearest;
   }
 
+  std::int32_t element_in(std::int32_t node, std::size_t octant) const {
+    PerAxis<std::int32_t> cell = nodes_.positions[at(node)];
+    for (std::size_t axis = 0; axis < kDimension; ++axis) cell[axis] -= (octant >> axis & 1) == 0 ? 1 : 0;
+    return mesh_.locator.element_at(cell);
+  }
+
   void walk_line(std::span<const std::int32_t> line) {
     begin_segment(line.front());
     for (std::size_t i = 1; i < line.size(); ++i) {
-      const std::int32_t entry = next_above(line[i - 1]);
-      if (entry != place(line[i]) && !bridge(line[i - 1], entry, place(line[i]))) {
+      if (next_above(line[i - 1]) != place(line[i]) && !bridge(line[i - 1], place(line[i]))) {
         cut_vectors();
         begin_segment(line[i]);
         continue;
@@ -76,10 +81,9 @@ class LineVectors {
   void begin_segment(std::int32_t node) {
     entries_.clear();
     members_.clear();
-    const LineWalker walker = walker_at(node);
-    std::int32_t rank = place(node);
+    LineWalker walker = walker_at(node, -1);
     for (int i = 0; i < reach_; ++i) {
-      rank = walker.next(rank, -1);
+      const std::int32_t rank = walker.next();
       if (rank < 0) break;
       entries_.push_back(rank);
     }
@@ -89,10 +93,9 @@ class LineVectors {
   }
 
   void append_above(std::int32_t node, int count) {
-    const LineWalker walker = walker_at(node);
-    std::int32_t rank = place(node);
+    LineWalker walker = walker_at(node, +1);
     for (int i = 0; i < count; ++i) {
-      rank = walker.next(rank, +1);
+      const std::int32_t rank = walker.next();
       if (rank < 0) break;
       entries_.push_back(rank);
     }
@@ -100,14 +103,14 @@ class LineVectors {
 
   /// Appends the entries between a node and the next node of the line, up to as many as the node's vector needs.
   /// Returns whether the next node was reached.
-  bool bridge(std::int32_t node, std::int32_t entry, std::int32_t target) {
-    const LineWalker walker = walker_at(node);
+  bool bridge(std::int32_t node, std::int32_t target) {
+    LineWalker walker = walker_at(node, +1);
     for (int i = 0; i < reach_; ++i) {
+      const std::int32_t entry = walker.next();
       if (entry == target) return true;
       entries_.push_back(entry);
-      entry = walker.next(entry, +1);
     }
-    return entry == target;
+    return walker.next() == target;
   }
 
   void cut_vectors() {
