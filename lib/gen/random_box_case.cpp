@@ -1,0 +1,144 @@
+#include <algorithm>
+
+#include "lib/gen/growing_case.hpp"
+#include "lib/gen/random_boxes.hpp"
+#include "lib/gen/random_case.hpp"
+#include "lib/mesh/mesh.hpp"
+#include "lib/refine/replay.hpp"
+
+namespace asts {
+
+namespace {
+
+ElementLine as_line(const RationalBox& box) {
+  ElementLine line;
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    line.lower[axis] = CompactRational(box.lower[axis]);
+    line.upper[axis] = CompactRational(box.upper[axis]);
+  }
+  return line;
+}
+
+RationalBox as_box(const Mesh& mesh, const Box& element) {
+  RationalBox box;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    box.lower[a] = mesh.coordinate(axis, element.lower[a]);
+    box.upper[a] = mesh.coordinate(axis, element.upper[a]);
+  }
+  return box;
+}
+
+Case explicit_case(Draw& draw, const Setting& setting, std::vector<RationalBox> boxes) {
+  draw.shuffle(boxes);
+  Case result{setting.degree, setting.grading, setting.domain, {}, true, {}};
+  for (const RationalBox& box : boxes) result.elements.push_back(as_line(box));
+  return result;
+}
+
+/// What an operation on a tiling needs to know.
+struct Work {
+  Draw& draw;
+  const Setting& setting;
+  BoxTiling& tiling;
+  std::size_t axis;  ///< of extrusion, where there is one
+};
+
+/// A plane across a region. Half of the planes halve a unit, so that planes of different regions fall together and cut
+/// where level-directed subdivisions would, though along any axis.
+void cut_somewhere(const Work& work) {
+  const RationalBox region = random_region(work.draw, work.tiling, work.setting, 3);
+  const std::size_t axis = work.draw.index(kDimension);
+  const RationalBox& box = work.draw.choose(work.tiling.boxes());
+  const Rational q = work.draw.one_in(2) ? random_between(work.draw, region.lower[axis], region.upper[axis])
+                                         : random_between(work.draw, box.lower[axis], box.upper[axis]);
+  work.tiling.cut(axis, q, region);
+}
+
+/// The same across the planar mesh: the region has all of the extrusion's axis, and the plane is along that axis.
+void cut_planar(const Work& work) {
+  RationalBox region = random_region(work.draw, work.tiling, work.setting, 4);
+  region.lower[work.axis] = 0;
+  region.upper[work.axis] = work.setting.domain[work.axis];
+  const std::size_t axis = (work.axis + 1 + work.draw.index(kDimension - 1)) % kDimension;
+  work.tiling.cut(axis, random_between(work.draw, region.lower[axis], region.upper[axis]), region);
+}
+
+void merge_somewhere(const Work& work) {
+  const RationalBox region = random_region(work.draw, work.tiling, work.setting, 2);
+  work.tiling.replace(region, {region});
+}
+
+bool in_frame(const Setting& setting, const RationalBox& box) {
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    const int frame = (setting.degree[axis] + 1) / 2;
+    if (box.upper[axis] <= frame || box.lower[axis] >= setting.domain[axis] - frame) return true;
+  }
+  return false;
+}
+
+void merge_in_frame(const Work& work) {
+  const RationalBox region = random_region(work.draw, work.tiling, work.setting, 3);
+  if (in_frame(work.setting, region)) work.tiling.replace(region, {region});
+}
+
+void place_pinwheel(const Work& work) {
+  const RationalBox region = random_region(work.draw, work.tiling, work.setting, 2);
+  work.tiling.replace(region, pinwheel(work.draw, region, work.draw.index(kDimension)));
+}
+
+void operate(Bias bias, const Work& work) {
+  switch (bias) {
+    case Bias::boxes_merged:
+      return merge_somewhere(work);
+    case Bias::boxes_frame:
+      return merge_in_frame(work);
+    case Bias::boxes_pinwheel:
+      return place_pinwheel(work);
+    case Bias::boxes_planar:
+      return cut_planar(work);
+    default:
+      return cut_somewhere(work);
+  }
+}
+
+Case written_out(Draw& draw, const CaseLimits& limits) {
+  const Case steps =
+      draw.one_in(2) ? random_admissible_case(draw, limits).content : random_bare_case(draw, limits).content;
+  Replay replay(steps);
+  while (!replay.done()) replay.advance();
+  const Mesh mesh = mesh_of(replay.tree());
+  std::vector<RationalBox> boxes;
+  for (const Box& element : mesh.elements) boxes.push_back(as_box(mesh, element));
+  return explicit_case(draw, mesh.setting, std::move(boxes));
+}
+
+/// A planar mesh has its active region as thin as it gets along the axis of extrusion, and room for more across.
+Setting planar_setting(Draw& draw, const CaseLimits& limits, std::size_t axis) {
+  Setting setting = random_setting(draw, limits);
+  setting.domain[axis] = setting.degree[axis] + 1;
+  return setting;
+}
+
+}  // namespace
+
+RandomCase random_box_case(Draw& draw, const CaseLimits& limits) {
+  const Bias bias = draw.choose(std::vector{Bias::boxes_cut, Bias::boxes_merged, Bias::boxes_frame,
+                                            Bias::boxes_pinwheel, Bias::boxes_planar, Bias::boxes_written_out});
+  if (bias == Bias::boxes_written_out) return {written_out(draw, limits), bias};
+  const std::size_t extruded = draw.index(kDimension);
+  const Setting setting =
+      bias == Bias::boxes_planar ? planar_setting(draw, limits, extruded) : random_setting(draw, limits);
+  BoxTiling tiling(setting, draw, bias != Bias::boxes_planar && draw.one_in(3));
+  const Work work{draw, setting, tiling, extruded};
+  for (int operations = draw.between(1, limits.max_steps); operations > 0; --operations) {
+    const BoxTiling before = tiling;
+    operate(bias, work);
+    if (static_cast<std::int64_t>(tiling.boxes().size()) <= limits.max_elements) continue;
+    tiling = before;
+    break;
+  }
+  return {explicit_case(draw, setting, tiling.boxes()), bias};
+}
+
+}  // namespace asts
