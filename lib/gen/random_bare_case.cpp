@@ -42,26 +42,28 @@ PerAxis<std::int32_t> middle_cube(Draw& draw, const Setting& setting) {
   return cube;
 }
 
+/// Mostly below the element that was subdivided last, so that the levels jump.
 void stack(Draw& draw, GrowingCase& growing, int steps, const PerAxis<std::int32_t>& cube) {
+  std::int32_t last = growing.tree().unit_cube(cube);
   for (; steps > 0; --steps) {
-    const std::int32_t top = growing.tree().unit_cube(cube);
-    if (!subdivide_one(growing, leaf_below(draw, growing.tree(), top))) return;
+    const std::int32_t top = draw.one_in(3) ? growing.tree().unit_cube(cube) : last;
+    last = leaf_below(draw, growing.tree(), top);
+    if (!subdivide_one(growing, last)) return;
   }
 }
 
 /// Refines around a random element, then subdivides the closure of a deep element without one of its coarser elements:
 /// by Definition 3.1 the result is not admissible, if there is a coarser one.
-void leave_one_out(Draw& draw, GrowingCase& growing, int steps) {
+void leave_one_out(Draw& draw, GrowingCase& growing) {
   std::int32_t mark = growing.tree().unit_cube(middle_cube(draw, growing.tree().setting()));
-  for (; steps > 0; --steps) {
+  for (int steps = draw.between(2, 3); steps > 0; --steps) {
     RefinementTree copy = growing.tree();
-    Leaves closure = mark_closure(copy, std::vector{mark});  // the mark comes first
-    const std::int32_t left_out = draw.between(1, static_cast<int>(closure.size()));
-    const bool last = steps == 1 || draw.one_in(4);
-    if (last && left_out < static_cast<std::int32_t>(closure.size())) closure.erase(closure.begin() + left_out);
-    const auto kind = last ? Step::Kind::subdivide : Step::Kind::refine;
+    Leaves closure = mark_closure(copy, std::vector{mark});  // the mark comes first, all others are coarser
+    const bool last = steps == 1;
+    if (last && closure.size() > 1)
+      closure.erase(closure.begin() + draw.between(1, static_cast<int>(closure.size()) - 1));
     if (last) std::sort(closure.begin(), closure.end());
-    if (!growing.add(kind, last ? closure : Leaves{mark}) || last) return;
+    if (!growing.add(last ? Step::Kind::subdivide : Step::Kind::refine, last ? closure : Leaves{mark})) return;
     mark = leaf_below(draw, growing.tree(), mark);
   }
 }
@@ -117,7 +119,7 @@ RandomCase random_bare_case(Draw& draw, const CaseLimits& limits) {
       stack(draw, growing, steps, middle_cube(draw, growing.tree().setting()));
       break;
     case Bias::bare_one_left_out:
-      leave_one_out(draw, growing, steps);
+      leave_one_out(draw, growing);
       break;
     case Bias::bare_touching:
       touch(draw, growing, steps);

@@ -44,24 +44,37 @@ struct Work {
   std::size_t axis;  ///< of extrusion, where there is one
 };
 
-/// A plane across a region. Half of the planes halve a unit, so that planes of different regions fall together and cut
-/// where level-directed subdivisions would, though along any axis.
+/// Stretches a region to an end of the domain, along some axes: a cut across it ends on one side only, as T-junctions
+/// do that face each other.
+void stretch(const Work& work, RationalBox& region) {
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    if (work.draw.one_in(2)) continue;
+    if (work.draw.one_in(2)) {
+      region.lower[axis] = 0;
+    } else {
+      region.upper[axis] = work.setting.domain[axis];
+    }
+  }
+}
+
+/// A plane across a region.
 void cut_somewhere(const Work& work) {
-  const RationalBox region = random_region(work.draw, work.tiling, work.setting, 3);
+  RationalBox region = random_region(work.draw, work.tiling, work.setting, 1);
   const std::size_t axis = work.draw.index(kDimension);
-  const RationalBox& box = work.draw.choose(work.tiling.boxes());
-  const Rational q = work.draw.one_in(2) ? random_between(work.draw, region.lower[axis], region.upper[axis])
-                                         : random_between(work.draw, box.lower[axis], box.upper[axis]);
+  const Rational q = random_between(work.draw, region.lower[axis], region.upper[axis]);
+  stretch(work, region);
   work.tiling.cut(axis, q, region);
 }
 
 /// The same across the planar mesh: the region has all of the extrusion's axis, and the plane is along that axis.
 void cut_planar(const Work& work) {
-  RationalBox region = random_region(work.draw, work.tiling, work.setting, 4);
+  RationalBox region = random_region(work.draw, work.tiling, work.setting, 1);
+  const std::size_t axis = (work.axis + 1 + work.draw.index(kDimension - 1)) % kDimension;
+  const Rational q = random_between(work.draw, region.lower[axis], region.upper[axis]);
+  stretch(work, region);
   region.lower[work.axis] = 0;
   region.upper[work.axis] = work.setting.domain[work.axis];
-  const std::size_t axis = (work.axis + 1 + work.draw.index(kDimension - 1)) % kDimension;
-  work.tiling.cut(axis, random_between(work.draw, region.lower[axis], region.upper[axis]), region);
+  work.tiling.cut(axis, q, region);
 }
 
 void merge_somewhere(const Work& work) {

@@ -30,6 +30,14 @@ bool contains(const RationalBox& outer, const RationalBox& inner) {
   return true;
 }
 
+bool meets_active_region(const Setting& setting, const RationalBox& box) {
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    const int frame = (setting.degree[axis] + 1) / 2;
+    if (box.upper[axis] < frame || box.lower[axis] > setting.domain[axis] - frame) return false;
+  }
+  return true;
+}
+
 /// The boxes between planes, x running fastest.
 std::vector<RationalBox> tensor_product(const PerAxis<std::vector<Rational>>& planes) {
   std::vector<RationalBox> boxes(1);
@@ -83,6 +91,10 @@ bool BoxTiling::replace(const RationalBox& region, const std::vector<RationalBox
 
 RationalBox random_region(Draw& draw, const BoxTiling& tiling, const Setting& setting, int reach) {
   RationalBox region = draw.choose(tiling.boxes());
+  // boxes outside the active region are most of a small mesh, and the least interesting ones
+  for (int tries = draw.between(0, 6); tries > 0 && !meets_active_region(setting, region); --tries) {
+    region = draw.choose(tiling.boxes());
+  }
   for (std::size_t axis = 0; axis < kDimension; ++axis) {
     const Rational wanted = region.upper[axis] + draw.between(0, reach);
     Rational side = setting.domain[axis];

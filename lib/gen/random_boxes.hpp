@@ -34,8 +34,8 @@ class BoxTiling {
   std::vector<RationalBox> boxes_;
 };
 
-/// A box whose sides are sides of boxes of the tiling: from the lower corner of one box, over `reach` to twice `reach`
-/// units or so along each axis.
+/// A region whose sides are sides of boxes of the tiling: one box, mostly one that meets the active region, grown
+/// upwards by up to `reach` units or so along each axis.
 RationalBox random_region(Draw& draw, const BoxTiling& tiling, const Setting& setting, int reach);
 
 /// Five boxes that tile the region and that no plane separates: around a middle one, extruded along an axis.
