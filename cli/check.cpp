@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cli/commands.hpp"
+#include "cli/input.hpp"
 #include "cli/terminal.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
@@ -16,7 +17,8 @@ namespace {
 
 /// Longer cases are not repeated in every record of a violated mesh.
 constexpr std::size_t kLongestMeshText = std::size_t{1} << 20;
-constexpr std::size_t kMostMarksRepeated = 50'000;
+/// A point takes at least so many bytes of text, so that a case with too many of them need not be written to know.
+constexpr std::size_t kLeastPointText = 6;
 
 std::vector<const Property*> chosen_properties(const std::vector<std::string>& ids) {
   std::vector<const Property*> chosen;
@@ -35,32 +37,15 @@ std::string text_up_to(const Case& test_case, std::int64_t step) {
   if (!test_case.explicit_mesh) prefix.steps.resize(static_cast<std::size_t>(step));
   std::size_t points = 2 * prefix.elements.size();
   for (const Step& one : prefix.steps) points += one.marks.size();
-  if (points > kMostMarksRepeated) return {};
+  if (points > kLongestMeshText / kLeastPointText) return {};
   std::string text = write_case(prefix);
   return text.size() > kLongestMeshText ? std::string() : text;
 }
 
-/// A case that was read, with its mesh when it is an explicit one: all input is looked at before anything is written.
-struct Input {
-  std::string name;
-  Case content;
-  std::optional<Mesh> mesh;
-};
-
-Input read_input(const std::string& path) {
-  Input input{path, read_case_file(path), {}};
-  if (!input.content.explicit_mesh) return input;
-  try {
-    input.mesh = mesh_of(setting_of(input.content), input.content.elements);
-  } catch (const InputError& error) {
-    throw InputError(path + ":" + error.what());
-  }
-  return input;
-}
-
 class Checker {
  public:
-  explicit Checker(const CheckOptions& options) : options_(options), properties_(chosen_properties(options.properties)) {}
+  explicit Checker(const CheckOptions& options)
+      : options_(options), properties_(chosen_properties(options.properties)) {}
 
   void check_case(Input& input) {
     if (input.mesh) {
@@ -72,8 +57,8 @@ class Checker {
     if (!options_.final_only || replay.done()) report(input, replay);
     while (!replay.done()) {
       stop_if_interrupted();
-      show_progress(fmt::format("{}: step {}, {} elements", input.name, replay.counts().step + 1,
-                                replay.tree().element_count()));
+      show_progress(
+          fmt::format("{}: step {}, {} elements", input.name, replay.counts().step + 1, replay.tree().element_count()));
       replay.advance();
       if (!options_.final_only || replay.done()) report(input, replay);
     }
@@ -96,7 +81,8 @@ class Checker {
 
   int exit_code() const {
     const auto any = [&](Outcome outcome) {
-      return std::any_of(tally_.begin(), tally_.end(), [&](const auto& entry) { return entry.first.second == outcome; });
+      return std::any_of(tally_.begin(), tally_.end(),
+                         [&](const auto& entry) { return entry.first.second == outcome; });
     };
     return any(Outcome::violated) ? kViolated : any(Outcome::undecided) ? kFailure : kHolds;
   }

@@ -19,7 +19,12 @@ Setting checked_setting(const GenerateOptions& options) {
   const Setting setting{three(options.degree, "--degree"), options.grading, three(options.domain, "--domain")};
   // the case reader knows what a setting must satisfy: ask it, so that there is one such place
   const Case header{setting.degree, setting.grading, setting.domain, {}, false, {}};
-  parse_case(write_case(header), "generate");
+  try {
+    parse_case(write_case(header), {});
+  } catch (const CaseFileError& error) {
+    const std::string reason = error.what();  // ":LINE: reason", of a text that nobody sees
+    throw InputError(reason.substr(reason.find(": ") + 2));
+  }
   return setting;
 }
 
@@ -31,7 +36,9 @@ int generate(const GenerateOptions& options) {
     throw InputError("--elements takes a number from 1 to " + std::to_string(kMostElements));
   }
   const Workload workload = options.workload == "corner" ? Workload::corner : Workload::sphere;
-  print(write_case(generate_workload(workload, setting, options.elements)));
+  const std::string text = write_case(generate_workload(workload, setting, options.elements));
+  stop_if_interrupted();
+  print(text);
   return kHolds;
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <new>
@@ -10,17 +12,39 @@ namespace asts::cli {
 
 namespace {
 
+/// One line, whatever bytes a file's name has.
+std::string without_control_characters(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02X}", byte) : std::string(1, c);
+  }
+  return result;
+}
+
 int complain(int code, const std::string& reason) {
   show_progress({});
-  std::fprintf(stderr, "asts: %s\n", reason.c_str());
+  std::fprintf(stderr, "asts: %s\n", without_control_characters(reason).c_str());
   return code;
 }
 
 void add_format(CLI::App& command, Format& format) {
-  const std::map<std::string, Format> names{{"text", Format::text}, {"json", Format::json}};
-  command.add_option("--format", format, "text for a person (default), json for a program: one object a line")
-      ->transform(CLI::CheckedTransformer(names).description("text|json"))
+  const auto set = [&format](const std::string& name) { format = name == "json" ? Format::json : Format::text; };
+  command
+      .add_option_function<std::string>("--format", set,
+                                        "text for a person (default), json for a program: one object a line")
+      ->check(CLI::IsMember({"text", "json"}))
       ->option_text("text|json");
+}
+
+/// CLI11's own words for a wrong first argument are "a subcommand is required".
+std::string reason_of(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  if (argc < 2) return "no command is given: asts --help lists them";
+  const std::string first = argv[1];
+  const bool option = !first.empty() && first[0] == '-';
+  const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == first; });
+  if (option || !commands.empty()) return error.what();
+  return "unknown command '" + first + "': asts --help lists them";
 }
 
 /// All options of all commands; each command remembers what to run.
@@ -41,7 +65,7 @@ class CommandLine {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app_.exit(error);
-      return complain(kBadInput, error.what());
+      return complain(kBadInput, reason_of(app_, error, argc, argv));
     }
     return chosen_();
   }
@@ -50,9 +74,12 @@ class CommandLine {
   void add_check() {
     CLI::App* command = app_.add_subcommand("check", "decide properties of every mesh of a case");
     command->add_option("CASE", check_.cases, "case files, or - for standard input")->required();
-    command->add_option("--property", check_.properties, "only this property; may be given again")->allow_extra_args(false);
+    command->add_option("--property", check_.properties, "only this property; may be given again")
+        ->allow_extra_args(false);
     command->add_flag("--final", check_.final_only, "only the last mesh of each case");
-    command->add_option("--budget", check_.pair_budget, "pairs of supports to look at for a property; beyond: undecided");
+    command
+        ->add_option("--budget", check_.pair_budget, "pairs of supports to look at for a property; beyond: undecided")
+        ->check(CLI::PositiveNumber);
     add_format(*command, check_.format);
     command->callback([this] { chosen_ = [this] { return check(check_); }; });
   }
@@ -70,9 +97,11 @@ class CommandLine {
     command->add_option("WORKLOAD", generate_.workload, "corner or sphere")
         ->required()
         ->check(CLI::IsMember({"corner", "sphere"}));
-    command->add_option("--degree", generate_.degree, "p, such as 3,3,3")->delimiter(',');
+    command->add_option("--degree", generate_.degree, "p, such as 3,3,3")->delimiter(',')->allow_extra_args(false);
     command->add_option("--grading", generate_.grading, "m");
-    command->add_option("--domain", generate_.domain, "unit cubes along each axis, such as 16,16,16")->delimiter(',');
+    command->add_option("--domain", generate_.domain, "unit cubes along each axis, such as 16,16,16")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command->add_option("--elements", generate_.elements, "stop at the first mesh with so many elements");
     command->callback([this] { chosen_ = [this] { return generate(generate_); }; });
   }

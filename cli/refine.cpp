@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <fstream>
+#include <optional>
 
 #include "cli/commands.hpp"
+#include "cli/input.hpp"
+#include "cli/output_file.hpp"
 #include "cli/terminal.hpp"
-#include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "lib/mesh/mesh.hpp"
 #include "lib/refine/replay.hpp"
@@ -36,48 +36,33 @@ Case explicit_case(const Case& source, const Mesh& mesh) {
   return result;
 }
 
-/// Writes beside the file and renames, so that an interrupt never leaves half a file, nor harms an old one.
-void write_file(const std::string& path, const std::string& text) {
-  const std::string partial = path + ".part";
-  std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file || std::rename(partial.c_str(), path.c_str()) != 0) {
-    std::remove(partial.c_str());
-    throw InputError(path + ": cannot be written");
+void print_steps(Replay& replay, Format format) {
+  if (format == Format::text) print(refine_text_header());
+  while (!replay.done()) {
+    stop_if_interrupted();
+    show_progress(fmt::format("step {}, {} elements", replay.counts().step + 1, replay.tree().element_count()));
+    replay.advance();
+    const RefineRecord record{replay.counts(), replay.tree().element_count(), replay.tree().new_element_count()};
+    print(format == Format::json ? refine_json(record) : refine_text(record));
   }
 }
 
 }  // namespace
 
 int refine(const RefineOptions& options) {
-  const Case content = read_case_file(options.case_file);
-  if (content.explicit_mesh) {
-    const Mesh mesh = [&] {
-      try {
-        return mesh_of(setting_of(content), content.elements);
-      } catch (const InputError& error) {
-        throw InputError(options.case_file + ":" + error.what());
-      }
-    }();
-    if (!options.write_file.empty()) write_file(options.write_file, write_case(explicit_case(content, mesh)));
+  const Input input = read_input(options.case_file);
+  std::optional<OutputFile> file;
+  if (!options.write_file.empty()) file.emplace(options.write_file);
+  if (input.mesh) {
     if (options.format == Format::text) {
-      print(fmt::format("an explicit mesh of {} elements, no steps\n", mesh.elements.size()));
+      print(fmt::format("an explicit mesh of {} elements, no steps\n", input.mesh->elements.size()));
     }
+    if (file) file->finish(write_case(explicit_case(input.content, *input.mesh)));
     return kHolds;
   }
-  Replay replay(content);
-  if (options.format == Format::text) print(refine_text_header());
-  while (!replay.done()) {
-    stop_if_interrupted();
-    show_progress(fmt::format("step {}, {} elements", replay.counts().step + 1, replay.tree().element_count()));
-    replay.advance();
-    const RefineRecord record{replay.counts(), replay.tree().element_count(), replay.tree().new_element_count()};
-    print(options.format == Format::json ? refine_json(record) : refine_text(record));
-  }
-  if (!options.write_file.empty()) {
-    write_file(options.write_file, write_case(explicit_case(content, mesh_of(replay.tree()))));
-  }
+  Replay replay(input.content);
+  print_steps(replay, options.format);
+  if (file) file->finish(write_case(explicit_case(input.content, mesh_of(replay.tree()))));
   return kHolds;
 }
 

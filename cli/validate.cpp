@@ -1,6 +1,9 @@
-#include <fmt/format.h>
-#include <sys/stat.h>
+#include "tests/reference/validate.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -10,7 +13,6 @@
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "tests/reference/refine.hpp"
-#include "tests/reference/validate.hpp"
 
 namespace asts::cli {
 
@@ -24,16 +26,17 @@ reference::Point literal_point(const Point& point) {
   return result;
 }
 
-/// Replays a case by the literal code alone: nothing of the mesh kernel is used.
+/// Replays the first steps of a case by the literal code alone: nothing of the mesh kernel is used.
 reference::Mesh literal_mesh(const Case& content, const reference::Setting& setting, std::size_t steps) {
-  reference::Mesh mesh;
-  for (const ElementLine& line : content.elements) mesh.push_back({literal_point(line.lower), literal_point(line.upper)});
   if (content.explicit_mesh) {
-    if (!reference::tiles_domain(setting, mesh)) throw InputError("the elements do not tile the domain");
+    reference::Mesh mesh;
+    for (const ElementLine& line : content.elements) {
+      mesh.push_back({literal_point(line.lower), literal_point(line.upper)});
+    }
     return mesh;
   }
-  mesh = reference::initial_mesh(setting);
-  for (std::size_t i = 0; i < steps && i < content.steps.size(); ++i) {
+  reference::Mesh mesh = reference::initial_mesh(setting);
+  for (std::size_t i = 0; i < steps; ++i) {
     std::vector<std::size_t> marked;
     for (const Point& mark : content.steps[i].marks) {
       marked.push_back(reference::element_at(setting, mesh, literal_point(mark)).value());
@@ -52,27 +55,61 @@ Case case_of(const Json& record, const std::string& file, const std::string& pla
   return read_case_file(std::filesystem::exists(name) ? name : beside.string());
 }
 
+/// A record's mesh, by the literal code, and what speaks against the record itself; empty when nothing does.
+struct LiteralRecord {
+  reference::Setting setting;
+  reference::Mesh mesh;
+  std::string objection;
+};
+
+LiteralRecord literal_record(const Json& record, const std::string& file, const std::string& place) {
+  const Case content = case_of(record, file, place);
+  LiteralRecord result{{content.degree, content.grading, content.domain}, {}, {}};
+  const Json& step = record.at("step");
+  const std::size_t most = content.steps.size();
+  if (!step.is_number_unsigned() || step > most || (record.contains("mesh") && step != most)) {
+    result.objection = fmt::format("step {} is not what the record's case of {} steps says", step.dump(), most);
+    return result;
+  }
+  result.mesh = literal_mesh(content, result.setting, step.get<std::size_t>());
+  if (!reference::tiles_domain(result.setting, result.mesh)) {
+    result.objection = "the elements do not tile the domain";
+  } else if (record.at("elements") != result.mesh.size()) {
+    result.objection =
+        fmt::format("the mesh has {} elements, not {}", result.mesh.size(), record.at("elements").dump());
+  }
+  return result;
+}
+
 struct Finding {
   std::string property;
   reference::Validation validation;
 };
 
+constexpr std::array kVerdicts{"holds", "violated", "not-applicable", "undecided"};
+
+bool is_violated(const Json& entry) {
+  const std::string verdict = entry.at("verdict").get<std::string>();
+  if (std::find(kVerdicts.begin(), kVerdicts.end(), verdict) == kVerdicts.end()) {
+    throw InputError("'" + verdict + "' is no verdict");
+  }
+  return verdict == "violated";
+}
+
 std::vector<Finding> validate_record(const Json& record, const std::string& file, const std::string& place) {
   std::vector<Finding> findings;
-  std::optional<reference::Mesh> mesh;
-  reference::Setting setting;
+  std::optional<LiteralRecord> literal;
   for (const auto& [property, entry] : record.at("properties").items()) {
-    if (entry.at("verdict") != "violated") continue;
+    if (!is_violated(entry)) continue;
     if (!entry.contains("witness")) {
       findings.push_back({property, {false, "the verdict is violated, but there is no witness"}});
       continue;
     }
-    if (!mesh) {
-      const Case content = case_of(record, file, place);
-      setting = {content.degree, content.grading, content.domain};
-      mesh = literal_mesh(content, setting, record.at("step").get<std::size_t>());
-    }
-    findings.push_back({property, reference::validate_witness(setting, *mesh, property, entry.at("witness"))});
+    if (!literal) literal = literal_record(record, file, place);
+    findings.push_back(
+        {property, literal->objection.empty()
+                       ? reference::validate_witness(literal->setting, literal->mesh, property, entry.at("witness"))
+                       : reference::Validation{false, literal->objection}});
   }
   return findings;
 }
@@ -125,25 +162,33 @@ std::vector<Record> read_records(const std::vector<std::string>& files) {
   return records;
 }
 
+std::vector<Finding> findings_of(const Record& record) {
+  const std::string place = fmt::format("{}:{}", record.file, record.line);
+  try {
+    return validate_record(record.content, record.file, place);
+  } catch (const Json::exception& error) {
+    const std::string reason = error.what();  // "[json.exception.NAME.NUMBER] words"
+    throw InputError(place + ": malformed record: " + reason.substr(reason.find("] ") + 2));
+  } catch (const CaseFileError&) {
+    throw;  // names its own place
+  } catch (const InputError& error) {
+    throw InputError(place + ": malformed record: " + error.what());
+  }
+}
+
 }  // namespace
 
 int validate(const ValidateOptions& options) {
-  std::vector<std::pair<const Record*, std::vector<Finding>>> all;
   const std::vector<Record> records = read_records(options.files);
   std::size_t valid = 0;
   std::size_t total = 0;
   std::string output;
   for (const Record& record : records) {
     stop_if_interrupted();
-    const std::string place = fmt::format("{}:{}", record.file, record.line);
-    try {
-      for (const Finding& finding : validate_record(record.content, record.file, place)) {
-        ++total;
-        valid += finding.validation.valid ? 1 : 0;
-        output += finding_text(finding, record.file, record.line, options.format);
-      }
-    } catch (const Json::exception& error) {
-      throw InputError(place + ": malformed record: " + error.what());
+    for (const Finding& finding : findings_of(record)) {
+      ++total;
+      valid += finding.validation.valid ? 1 : 0;
+      output += finding_text(finding, record.file, record.line, options.format);
     }
   }
   print(output);

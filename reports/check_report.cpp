@@ -28,20 +28,24 @@ std::string check_text(const CheckRecord& record) {
                                    record.max_level ? fmt::format("level {}", *record.max_level) : "no integer levels",
                                    record.active_nodes);
   std::string held;
+  int held_count = 0;
   std::string rest;
   for (const CheckRecord::Entry& entry : record.entries) {
     if (entry.verdict.outcome == Outcome::holds) {
       held += std::string(held.empty() ? "" : ", ") + entry.property->id;
+      ++held_count;
       continue;
     }
-    rest += fmt::format("  {}: {} ({})\n", outcome_name(entry.verdict.outcome), entry.property->id,
-                        entry.property->source);
+    rest +=
+        fmt::format("  {}: {} ({})\n", outcome_name(entry.verdict.outcome), entry.property->id, entry.property->source);
     if (!entry.verdict.reason.empty()) rest += fmt::format("      {}\n", entry.verdict.reason);
     if (!entry.verdict.witness) continue;
     rest += fmt::format("      it should be that {}; but\n", entry.property->statement);
     rest += witness_text(*entry.verdict.witness);
   }
-  result += held.empty() ? "\n" : rest.empty() && record.entries.size() > 1 ? " all hold\n" : fmt::format(" {} hold\n", held);
+  const bool all = rest.empty() && held_count > 1;
+  if (held_count > 0) result += fmt::format(" {} {}", all ? "all" : held, held_count == 1 ? "holds" : "hold");
+  result += "\n";
   return result + rest;
 }
 
@@ -55,7 +59,8 @@ std::string refine_json(const RefineRecord& record) {
 }
 
 std::string refine_text_header() {
-  return fmt::format("{:>6}  {:>10}  {:>10}  {:>12}  {:>12}\n", "step", "marked", "subdivided", "elements", "new elements");
+  return fmt::format("{:>6}  {:>10}  {:>10}  {:>12}  {:>12}\n", "step", "marked", "subdivided", "elements",
+                     "new elements");
 }
 
 std::string refine_text(const RefineRecord& record) {

@@ -75,23 +75,18 @@ struct ToJson {
   Json operator()(const NoPartialOverlapWitness& w) const {
     Json axes = Json::array();
     for (const NoOverlapInfo& info : w.axes) {
-      axes.push_back({{"axis", axis_name(info.axis)},
-                      {"coordinate", number(info.coordinate)},
-                      {"in", info.in_v ? "v" : "w"}});
+      axes.push_back(
+          {{"axis", axis_name(info.axis)}, {"coordinate", number(info.coordinate)}, {"in", info.in_v ? "v" : "w"}});
     }
     return {{"kind", "no-partial-overlap"}, {"v", active_node(w.v)}, {"w", active_node(w.w)}, {"axes", axes}};
   }
   Json operator()(const LambdaNotDeltaWitness& w) const {
     Json factors = Json::array();
     for (const FieldElement& factor : w.factors) factors.push_back(field_value(factor));
-    return {{"kind", "lambda-not-delta"},
-            {"v", active_node(w.v)},
-            {"w", active_node(w.w)},
-            {"factors", factors},
-            {"value", field_value(w.value)},
-            {"expected", std::to_string(w.expected)},
-            {"failures", w.failures},
-            {"pairs", w.pairs}};
+    return {{"kind", "lambda-not-delta"},    {"v", active_node(w.v)},
+            {"w", active_node(w.w)},         {"factors", factors},
+            {"value", field_value(w.value)}, {"expected", std::to_string(w.expected)},
+            {"failures", w.failures},        {"pairs", w.pairs}};
   }
 };
 

@@ -38,7 +38,9 @@ std::string polynomial(const std::vector<Rational>& coefficients) {
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
     if (coefficients[k] == 0) continue;
     result += fmt::format("{}({}){}", result.empty() ? "" : " + ", to_string(coefficients[k]),
-                          k == 0 ? "" : k == 1 ? " g" : fmt::format(" g^{}", k));
+                          k == 0   ? ""
+                          : k == 1 ? " g"
+                                   : fmt::format(" g^{}", k));
   }
   return result;
 }
@@ -59,13 +61,24 @@ std::string node_lines(const char* name, const ActiveNodeInfo& info) {
   return result;
 }
 
+/// A point of the line through `node` along `axis`, by its coordinate on it, such as "(7/2, v1_2, v1_3)".
+std::string point_on_line(Axis axis, const std::string& coordinate, const char* node) {
+  std::string result;
+  for (Axis other = 0; other < kDimension; ++other) {
+    result += result.empty() ? "(" : ", ";
+    result += other == axis ? coordinate : fmt::format("{}_{}", node, other + 1);
+  }
+  return result + ")";
+}
+
 std::string perturbation_lines(const PerturbationInfo& info, const char* in, const char* out) {
   const char* axis = axis_name(info.axis);
   const std::string slice = to_string(info.slice);
   return fmt::format(
-             "{0}it is in R_{1}: {2} is in N_{1}({3}), {4} is not (the mesh has a face orthogonal to {1} at {1} = {3}\n"
-             "{0}beside {2}, none beside {4}), and both supports contain the point\n",
-             kIndent, axis, in, slice, out) +
+             "{0}it is in R_{1}: {2} is in N_{1}({3}), {4} is not, and both supports contain the point;\n"
+             "{0}the line through {2} along {1} meets the {1}-orthogonal skeleton at {1} = {3}: {5} is in Xi_{1},\n"
+             "{0}the line through {4} does not: {6} is not in Xi_{1}\n",
+             kIndent, axis, in, slice, out, point_on_line(info.axis, slice, in), point_on_line(info.axis, slice, out)) +
          node_lines(in, info.in) + node_lines(out, info.out);
 }
 
@@ -83,28 +96,32 @@ struct ToText {
                        kIndent, text(w.element));
   }
   std::string operator()(const PatchNotNestedWitness& w) const {
-    return fmt::format("{0}the element K = {1}\n{0}lies in      L = {2};\n{0}the patch of K has {3},\n{0}that of L does not\n",
-                       kIndent, text(w.inner), text(w.outer), text(w.element));
+    return fmt::format(
+        "{0}the element K = {1}\n{0}lies in      L = {2};\n{0}the patch of K has {3},\n{0}that of L does not\n",
+        kIndent, text(w.inner), text(w.outer), text(w.element));
   }
   std::string operator()(const RegionsMeetWitness& w) const {
     return fmt::format("{}the point {} is in two perturbed regions:\n", kIndent, text(w.point)) +
            perturbation_lines(w.first, "v1", "v2") + perturbation_lines(w.second, "v3", "v4");
   }
   std::string operator()(const NoPartialOverlapWitness& w) const {
-    std::string result = fmt::format("{}the supports of v and w share volume, and their index vectors fail to overlap:\n", kIndent);
+    std::string result =
+        fmt::format("{}the supports of v and w share volume, and their index vectors fail to overlap:\n", kIndent);
     result += node_lines("v", w.v) + node_lines("w", w.w);
     for (const NoOverlapInfo& info : w.axes) {
-      result += fmt::format("{}along {}: {} is an entry of {}'s vector, lies in the range of {}'s, and is no entry of it\n",
-                            kIndent, axis_name(info.axis), to_string(info.coordinate), info.in_v ? "v" : "w",
-                            info.in_v ? "w" : "v");
+      result += fmt::format(
+          "{}along {}: {} is an entry of {}'s vector, lies in the range of {}'s, and is no entry of it\n", kIndent,
+          axis_name(info.axis), to_string(info.coordinate), info.in_v ? "v" : "w", info.in_v ? "w" : "v");
     }
     return result;
   }
   std::string operator()(const LambdaNotDeltaWitness& w) const {
-    std::string result = fmt::format("{0}lambda_v(B_w) = {1}\n{0}instead of {2}, for\n", kIndent, text(w.value), w.expected);
+    std::string result =
+        fmt::format("{0}lambda_v(B_w) = {1}\n{0}instead of {2}, for\n", kIndent, text(w.value), w.expected);
     result += node_lines("v", w.v) + node_lines("w", w.w);
     for (Axis axis = 0; axis < kDimension; ++axis) {
-      result += fmt::format("{}factor along {}: {}\n", kIndent, axis_name(axis), text(w.factors[static_cast<std::size_t>(axis)]));
+      result += fmt::format("{}factor along {}: {}\n", kIndent, axis_name(axis),
+                            text(w.factors[static_cast<std::size_t>(axis)]));
     }
     return result + fmt::format("{}{} of the {} ordered pairs of nodes whose supports share volume fail\n", kIndent,
                                 w.failures, w.pairs);
