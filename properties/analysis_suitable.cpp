@@ -24,9 +24,8 @@ Verdict decide_analysis_suitable(MeshUnderTest& mesh) {
     const auto a = static_cast<std::size_t>(axis);
     point[a] = coordinate_of(mesh.mesh(), axis, meeting->point[a]);
   }
-  return Verdict::violated(
-      RegionsMeetWitness{point, describe_perturbation(mesh, meeting->point, meeting->first_axis),
-                         describe_perturbation(mesh, meeting->point, meeting->second_axis)});
+  return Verdict::violated(RegionsMeetWitness{point, describe_perturbation(mesh, meeting->point, meeting->first_axis),
+                                              describe_perturbation(mesh, meeting->point, meeting->second_axis)});
 }
 
 }  // namespace asts

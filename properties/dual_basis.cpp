@@ -12,10 +12,9 @@ Verdict decide_dual_basis(MeshUnderTest& mesh) {
   if (!failures.one) return Verdict::holds();
   const auto [v, w] = *failures.one;
   DualValue value = dual_value(mesh.mesh(), mesh.splines(), v, w);
-  return Verdict::violated(LambdaNotDeltaWitness{describe_node(mesh.mesh(), mesh.splines(), v),
-                                                 describe_node(mesh.mesh(), mesh.splines(), w),
-                                                 std::move(value.factors), std::move(value.value), v == w ? 1 : 0,
-                                                 failures.failures, failures.pairs});
+  return Verdict::violated(LambdaNotDeltaWitness{
+      describe_node(mesh.mesh(), mesh.splines(), v), describe_node(mesh.mesh(), mesh.splines(), w),
+      std::move(value.factors), std::move(value.value), v == w ? 1 : 0, failures.failures, failures.pairs});
 }
 
 }  // namespace asts

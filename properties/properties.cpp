@@ -9,8 +9,8 @@ namespace asts {
 namespace {
 
 constexpr std::array kProperties{
-    Property{"admissible", "Definition 3.2", "a sequence of admissible subdivisions makes the mesh from the initial one",
-             decide_admissible},
+    Property{"admissible", "Definition 3.2",
+             "a sequence of admissible subdivisions makes the mesh from the initial one", decide_admissible},
     Property{"nested-patches", "Lemma 3.4",
              "K within L implies that the patch of K lies in the patch of L, for all elements of the refinement tree",
              decide_nested_patches},
@@ -26,10 +26,14 @@ constexpr std::array kProperties{
 
 const char* outcome_name(Outcome outcome) {
   switch (outcome) {
-    case Outcome::holds: return "holds";
-    case Outcome::violated: return "violated";
-    case Outcome::not_applicable: return "not-applicable";
-    case Outcome::undecided: return "undecided";
+    case Outcome::holds:
+      return "holds";
+    case Outcome::violated:
+      return "violated";
+    case Outcome::not_applicable:
+      return "not-applicable";
+    case Outcome::undecided:
+      return "undecided";
   }
   throw InternalError("an outcome without a name");
 }

@@ -25,10 +25,10 @@ const Property* find_property(std::string_view id);
 /// Decides a property; turns BudgetExhausted into `undecided`.
 Verdict decide(const Property& property, MeshUnderTest& mesh);
 
-Verdict decide_admissible(MeshUnderTest& mesh);          ///< Definition 3.2
-Verdict decide_nested_patches(MeshUnderTest& mesh);      ///< Lemma 3.4's conclusion
-Verdict decide_analysis_suitable(MeshUnderTest& mesh);   ///< Definition 5.2
-Verdict decide_dual_compatible(MeshUnderTest& mesh);     ///< Definition 6.4
-Verdict decide_dual_basis(MeshUnderTest& mesh);          ///< lambda_v(B_w) = delta_vw, Definition 6.2
+Verdict decide_admissible(MeshUnderTest& mesh);         ///< Definition 3.2
+Verdict decide_nested_patches(MeshUnderTest& mesh);     ///< Lemma 3.4's conclusion
+Verdict decide_analysis_suitable(MeshUnderTest& mesh);  ///< Definition 5.2
+Verdict decide_dual_compatible(MeshUnderTest& mesh);    ///< Definition 6.4
+Verdict decide_dual_basis(MeshUnderTest& mesh);         ///< lambda_v(B_w) = delta_vw, Definition 6.2
 
 }  // namespace asts

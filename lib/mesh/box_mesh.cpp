@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <map>
 #include <string>
+#include <unordered_map>
 
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/mesh.hpp"
+#include "lib/mesh/pair_table.hpp"
 
 namespace asts {
 
@@ -18,32 +21,85 @@ std::int32_t level_of_volume(Rational volume, int grading) {
   return volume == 1 ? level : Mesh::kNoLevel;
 }
 
-/// The sorted distinct coordinates of one axis. The domain's ends belong to it even when no box reaches them: then the
-/// search for gaps finds the boxes missing there.
-std::vector<Rational> distinct_coordinates(const std::vector<ElementLine>& lines, std::size_t axis, int length) {
-  std::vector<Rational> values{Rational(0), Rational(length)};
-  values.reserve(2 * lines.size() + 2);
-  for (const ElementLine& line : lines) {
-    values.push_back(line.lower[axis].value());
-    values.push_back(line.upper[axis].value());
+struct HashNumber {
+  std::size_t operator()(const CompactRational& number) const {
+    std::uint64_t top = 0;
+    std::uint64_t bottom = 0;
+    if (number.is_small()) {
+      top = static_cast<std::uint64_t>(number.numerator());
+      bottom = static_cast<std::uint64_t>(number.denominator());
+    } else {
+      const Rational value = number.value();
+      top = mpz_get_ui(mpq_numref(value.backend().data()));
+      bottom = mpz_get_ui(mpq_denref(value.backend().data()));
+    }
+    return (top * 0x9E3779B97F4A7C15ull ^ bottom) * 0xD6E8FEB86659FD93ull >> 16;
   }
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
+};
 
-std::int32_t rank_of(const std::vector<Rational>& coordinates, const CompactRational& number) {
-  const auto place = std::lower_bound(coordinates.begin(), coordinates.end(), number.value());
-  return static_cast<std::int32_t>(place - coordinates.begin());
-}
-
-Rational volume_of(const Mesh& mesh, const Box& box) {
-  Rational volume = 1;
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    volume *= mesh.coordinate(axis, box.upper[at(axis)]) - mesh.coordinate(axis, box.lower[at(axis)]);
+/// The distinct coordinates of one axis and their ranks. The domain's ends belong to them even when no box reaches
+/// them: then the search for gaps finds the boxes missing there.
+class AxisLines {
+ public:
+  AxisLines(const std::vector<ElementLine>& lines, std::size_t axis, int length) {
+    ranks_.try_emplace(CompactRational(0));
+    ranks_.try_emplace(CompactRational(length));
+    for (const ElementLine& line : lines) {
+      ranks_.try_emplace(line.lower[axis]);
+      ranks_.try_emplace(line.upper[axis]);
+    }
+    std::vector<std::pair<Rational, std::int32_t*>> sorted;
+    sorted.reserve(ranks_.size());
+    for (auto& [number, rank] : ranks_) sorted.emplace_back(number.value(), &rank);
+    std::sort(sorted.begin(), sorted.end(), [](const auto& one, const auto& other) { return one.first < other.first; });
+    for (auto& [value, rank] : sorted) {
+      *rank = static_cast<std::int32_t>(coordinates_.size());
+      coordinates_.push_back(std::move(value));
+    }
   }
-  return volume;
-}
+
+  std::int32_t rank(const CompactRational& number) const { return ranks_.find(number)->second; }
+  std::vector<Rational> take_coordinates() { return std::move(coordinates_); }
+
+ private:
+  std::unordered_map<CompactRational, std::int32_t, HashNumber> ranks_;
+  std::vector<Rational> coordinates_;
+};
+
+/// Levels by volume, each combination of side lengths computed once.
+class BoxLevels {
+ public:
+  explicit BoxLevels(const Mesh& mesh) : mesh_(mesh) {}
+
+  std::int32_t level(const Box& box) {
+    PerAxis<std::int32_t> lengths;
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      const std::int32_t lower = box.lower[axis];
+      const std::int32_t upper = box.upper[axis];
+      lengths[axis] = length_id_[axis].get(lower, upper, [&] {
+        const Rational length = mesh_.coordinates[axis][at(upper)] - mesh_.coordinates[axis][at(lower)];
+        return ids_.try_emplace(length, static_cast<std::int32_t>(ids_.size())).first->second;
+      });
+    }
+    const auto [place, is_new] = levels_.try_emplace(lengths);
+    if (is_new) place->second = level_of_volume(volume_of(box), mesh_.setting.grading);
+    return place->second;
+  }
+
+ private:
+  Rational volume_of(const Box& box) const {
+    Rational volume = 1;
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      volume *= mesh_.coordinate(axis, box.upper[at(axis)]) - mesh_.coordinate(axis, box.lower[at(axis)]);
+    }
+    return volume;
+  }
+
+  const Mesh& mesh_;
+  PerAxis<PairTable<std::int32_t>> length_id_;
+  std::map<Rational, std::int32_t> ids_;
+  std::map<PerAxis<std::int32_t>, std::int32_t> levels_;
+};
 
 /// Cuts the domain until each region is covered by one box, which proves that the boxes tile it, and keeps the cuts as
 /// the mesh's locator. A cut runs along a side of a box; a box that it crosses is listed on either side.
@@ -170,18 +226,18 @@ class Tiling {
 Mesh mesh_of(const Setting& setting, const std::vector<ElementLine>& elements) {
   Mesh mesh;
   mesh.setting = setting;
+  mesh.elements.resize(elements.size());
   for (std::size_t axis = 0; axis < kDimension; ++axis) {
-    mesh.coordinates[axis] = distinct_coordinates(elements, axis, setting.domain[axis]);
-  }
-  for (const ElementLine& line : elements) {
-    Box box;
-    for (std::size_t axis = 0; axis < kDimension; ++axis) {
-      box.lower[axis] = rank_of(mesh.coordinates[axis], line.lower[axis]);
-      box.upper[axis] = rank_of(mesh.coordinates[axis], line.upper[axis]);
+    AxisLines lines(elements, axis, setting.domain[axis]);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      mesh.elements[i].lower[axis] = lines.rank(elements[i].lower[axis]);
+      mesh.elements[i].upper[axis] = lines.rank(elements[i].upper[axis]);
     }
-    mesh.elements.push_back(box);
-    mesh.levels.push_back(level_of_volume(volume_of(mesh, box), setting.grading));
+    mesh.coordinates[axis] = lines.take_coordinates();
   }
+  BoxLevels levels(mesh);
+  mesh.levels.reserve(elements.size());
+  for (const Box& box : mesh.elements) mesh.levels.push_back(levels.level(box));
   Tiling(mesh, elements).build();
   return mesh;
 }

@@ -13,8 +13,6 @@ struct Setting {
   PerAxis<int> domain{1, 1, 1};
 };
 
-inline Setting setting_of(const Case& test_case) {
-  return {test_case.degree, test_case.grading, test_case.domain};
-}
+inline Setting setting_of(const Case& test_case) { return {test_case.degree, test_case.grading, test_case.domain}; }
 
 }  // namespace asts

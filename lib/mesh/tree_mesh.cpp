@@ -57,7 +57,8 @@ Locator locator_of(const RefinementTree& tree, const PerAxis<std::vector<std::in
       lower = rank[at(axis)][at(tree.extent(id, axis).lower)];
     }
     const bool leaf = tree.is_leaf(id);
-    locator.nodes.push_back({leaf ? -1 : tree.split_axis(id), leaf ? -1 : node.first_child, tree.child_count(id), lower});
+    locator.nodes.push_back(
+        {leaf ? -1 : tree.split_axis(id), leaf ? -1 : node.first_child, tree.child_count(id), lower});
   }
   return locator;
 }

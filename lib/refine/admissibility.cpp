@@ -15,10 +15,11 @@ std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree) {
   std::optional<CoarserInPatch> result;
   PatchSearch search(tree);
   for (std::size_t level = 1; level < inner.size() && !result; ++level) {
-    search.coarser_in_patches(inner[level], static_cast<std::int32_t>(level), [&](std::int32_t k, std::int32_t coarser) {
-      result = CoarserInPatch{k, coarser};
-      return false;
-    });
+    search.coarser_in_patches(inner[level], static_cast<std::int32_t>(level),
+                              [&](std::int32_t k, std::int32_t coarser) {
+                                result = CoarserInPatch{k, coarser};
+                                return false;
+                              });
   }
   return result;
 }

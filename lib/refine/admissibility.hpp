@@ -32,10 +32,12 @@ struct CoarserInPatch {
 std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree);
 
 /// Definition 3.1 for one step of a history: whether there is an order in which subdividing these distinct leaves one
-/// after the other is admissible each time. The order of rising levels is such an order if there is any: subdividing an
-/// element never lowers a level in another's patch, and an element of the set that stands in the way of another is
-/// coarser than it, so it comes first. So the question is whether each leaf's patch has no coarser element outside the
-/// set, except that an element of the set whose children are still too coarse stands in the way as well.
+/// after the other is admissible each time.
+///
+/// If there is such an order, that of rising levels is one: subdividing an element never lowers a level in another's
+/// patch, and what stands in the way of an element is coarser than it. In that order, when K's turn comes, an element
+/// K' of K's patch with a lower level stands in the way unless it belongs to the set and its children are as fine as K:
+/// then it has been subdivided, and its children that meet U(K) have level(K') + 1 >= level(K).
 /// REQUIRES: as above.
 bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::int32_t> leaves);
 

@@ -48,7 +48,8 @@ void PatchSearch::span_subtree(std::span<const std::int32_t> elements) {
   ++epoch_;
   stamp_.resize(at(tree_.node_count()), 0);
   for (const std::int32_t element : elements) {
-    for (std::int32_t id = element; id != RefinementTree::kNone && stamp_[at(id)] != epoch_; id = tree_.node(id).parent) {
+    for (std::int32_t id = element; id != RefinementTree::kNone && stamp_[at(id)] != epoch_;
+         id = tree_.node(id).parent) {
       stamp_[at(id)] = epoch_;
     }
   }
@@ -78,9 +79,8 @@ void PatchSearch::append_entries(std::int32_t level) {
     Entry& entry = entries_.emplace_back(Entry{id, 0, {}});
     const bool is_element = tree_.node(id).level == level;
     for (Axis axis = 0; axis < kDimension; ++axis) {
-      entry.window.side[at(axis)] = is_element
-                                        ? tree_.environment(id, axis)
-                                        : RankInterval{std::numeric_limits<std::int32_t>::max(), 0};
+      entry.window.side[at(axis)] =
+          is_element ? tree_.environment(id, axis) : RankInterval{std::numeric_limits<std::int32_t>::max(), 0};
     }
     if (is_element) continue;
     const std::int32_t first = tree_.node(id).first_child;

@@ -17,10 +17,11 @@ std::vector<std::int32_t> mark_closure(RefinementTree& tree, std::span<const std
   std::vector<std::int32_t> closure;
   for (std::size_t level = by_level.size(); level-- > 0;) {
     // only levels below this one grow during the search
-    search.coarser_in_patches(by_level[level], static_cast<std::int32_t>(level), [&](std::int32_t, std::int32_t coarser) {
-      mark(coarser);
-      return true;
-    });
+    search.coarser_in_patches(by_level[level], static_cast<std::int32_t>(level),
+                              [&](std::int32_t, std::int32_t coarser) {
+                                mark(coarser);
+                                return true;
+                              });
     closure.insert(closure.end(), by_level[level].begin(), by_level[level].end());
   }
   return closure;

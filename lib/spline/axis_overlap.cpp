@@ -16,7 +16,8 @@ bool AxisOverlap::holds(const Brick& one, const Brick& other) {
   const std::int32_t a = std::min(one.profile[at(axis_)], other.profile[at(axis_)]);
   const std::int32_t b = std::max(one.profile[at(axis_)], other.profile[at(axis_)]);
   if (a == b) return true;
-  return known_.get(a, b, [&] { return overlap(bricks_.profile(one, axis_).entries, bricks_.profile(other, axis_).entries); });
+  return known_.get(
+      a, b, [&] { return overlap(bricks_.profile(one, axis_).entries, bricks_.profile(other, axis_).entries); });
 }
 
 std::int32_t index_with_entry(const TSplines& splines, const AxisProfile& profile, Axis axis, std::int32_t entry) {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/mesh/pair_table.hpp"
 #include "lib/spline/bricks.hpp"
-#include "lib/spline/pair_table.hpp"
 
 namespace asts {
 
@@ -12,11 +12,10 @@ namespace asts {
 ///
 /// They do exactly if the bricks' entries agree in the closed range that both supports have in common. If a coordinate
 /// q of that range is an entry of B alone, then some node of B has q in its vector, some node of B' has q in the range
-/// of its vector, and these two do not overlap. If the entries agree there, and q in the vector of a node v of B lies in
-/// the range of the vector of a node w of B', then q is an entry of B', and since w's vector is a window of consecutive
-/// entries of B', q is an entry of it.
-/// In the first case the two nodes' supports have more than a point in common along the axis: q is inside the range of
-/// w's vector without being an entry of it, so not at its end.
+/// of its vector, and these two do not overlap. If the entries agree there, and q in the vector of a node v of B lies
+/// in the range of the vector of a node w of B', then q is an entry of B', and since w's vector is a window of
+/// consecutive entries of B', q is an entry of it. In the first case the two nodes' supports have more than a point in
+/// common along the axis: q is inside the range of w's vector without being an entry of it, so not at its end.
 class AxisOverlap {
  public:
   /// REQUIRES: `bricks` outlives it.

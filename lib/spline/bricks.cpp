@@ -27,7 +27,8 @@ std::vector<std::int32_t> next_on_line(const TSplines& splines, Axis axis) {
 struct HashIds {
   std::size_t operator()(const std::vector<std::int32_t>& ids) const {
     std::uint64_t hash = 0;
-    for (const std::int32_t id : ids) hash = (hash + static_cast<std::uint32_t>(id)) * 0x9E3779B97F4A7C15ull ^ hash >> 29;
+    for (const std::int32_t id : ids)
+      hash = (hash + static_cast<std::uint32_t>(id)) * 0x9E3779B97F4A7C15ull ^ hash >> 29;
     return hash;
   }
 };
@@ -160,7 +161,8 @@ Bricks bricks_of(const TSplines& splines, std::size_t max_pairs) {
   boxes.reserve(result.bricks.size());
   for (const Brick& brick : result.bricks) boxes.push_back(brick.support);
   for_each_meeting_pair(boxes, [&](std::int32_t i, std::int32_t j) {
-    if (result.pairs.size() >= max_pairs) throw BudgetExhausted("more pairs of meeting supports than the budget allows");
+    if (result.pairs.size() >= max_pairs)
+      throw BudgetExhausted("more pairs of meeting supports than the budget allows");
     result.pairs.emplace_back(std::min(i, j), std::max(i, j));
   });
   return result;

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "lib/exact/errors.hpp"
-#include "lib/spline/pair_table.hpp"
+#include "lib/mesh/pair_table.hpp"
 
 namespace asts {
 
@@ -32,7 +32,8 @@ struct NonzeroCounts {
   std::int32_t backward = 0;  ///< the other way round
 };
 
-/// The factors along one axis; each ordered pair of index vectors is evaluated once, each pair of profiles counted once.
+/// The factors along one axis; each ordered pair of index vectors is evaluated once, each pair of profiles counted
+/// once.
 class AxisFactors {
  public:
   AxisFactors(const Mesh& mesh, const TSplines& splines, const Bricks& bricks, Axis axis)

@@ -22,9 +22,9 @@ struct NodePair {
 /// Decided on pairs of bricks: two bricks have a pair of nodes that does not partially overlap, with supports that meet
 /// in positive volume, exactly if the bricks' supports meet so and the bricks fail to overlap along two axes or three.
 /// For the indices along the axes can be chosen independently of each other; where overlap fails along an axis, the two
-/// indices that show it have supports with common interior there (AxisOverlap), and along an axis where nothing is asked
-/// any pair with common interior will do. Nodes of one brick overlap along all axes.
-/// Cost: linear in the pairs of bricks.
+/// indices that show it have supports with common interior there (AxisOverlap), and along an axis where nothing is
+/// asked any pair with common interior will do. Nodes of one brick overlap along all axes. Cost: linear in the pairs of
+/// bricks.
 std::optional<NodePair> find_incompatible(const TSplines& splines, const Bricks& bricks);
 
 }  // namespace asts

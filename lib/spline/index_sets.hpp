@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,8 +16,8 @@ using HalfRank = std::int32_t;
 /// The half rank of any coordinate of the domain. Cost: logarithmic in the axis's lines.
 HalfRank half_rank(const Mesh& mesh, Axis axis, const Rational& coordinate);
 
-/// Walks along a line parallel to an axis, in one direction, and lists where the skeleton orthogonal to the axis crosses
-/// it, from the elements around the line alone.
+/// Walks along a line parallel to an axis, in one direction, and lists where the skeleton orthogonal to the axis
+/// crosses it, from the elements around the line alone.
 ///
 /// Definition 4.2: Xi_x is the union of the closed x-orthogonal faces. Definition 4.3: X(y,z) = {x : (x,y,z) in Xi_x}.
 /// A closed face of K contains (x,y,z) exactly if x is an end of K and (y,z) lies in the closed rectangle of K, so only
@@ -29,8 +29,8 @@ class LineWalker {
  public:
   static constexpr std::size_t kQuadrants = std::size_t{1} << (kDimension - 1);
 
-  /// Stands on the line through `position`, at the rank that its own axis's half rank gives, which need not be an entry;
-  /// direction is +1 or -1. REQUIRES: the position lies in the domain; its own axis's half rank is even.
+  /// Stands on the line through `position`, at the rank that its own axis's half rank gives, which need not be an
+  /// entry; direction is +1 or -1. REQUIRES: the position lies in the domain; its own axis's half rank is even.
   LineWalker(const Mesh& mesh, Axis axis, const PerAxis<HalfRank>& position, int direction);
 
   /// Goes on to the next entry; -1 at the end of the domain. Cost: a search in the mesh for each element that ended.
@@ -44,8 +44,8 @@ class LineWalker {
   int direction_;
   std::int32_t rank_;
   std::size_t quadrants_ = 1;
-  std::array<PerAxis<std::int32_t>, kQuadrants> cells_;   ///< beside the line; the axis's own entry follows the walk
-  std::array<std::int32_t, kQuadrants> ends_;             ///< where each quadrant's element ends; the rank: not entered
+  std::array<PerAxis<std::int32_t>, kQuadrants> cells_;  ///< beside the line; the axis's own entry follows the walk
+  std::array<std::int32_t, kQuadrants> ends_;            ///< where each quadrant's element ends; the rank: not entered
 };
 
 /// Definition 4.3: the global index set along an axis through a point, as ascending ranks.

@@ -12,14 +12,14 @@ namespace asts {
 /// sets of lattice points (see Rectangle), ascending slice by slice.
 ///
 /// R_x(q) is the part of the slice S_x(q) (x = q inside the active region) that lies both in the support of a node of
-/// N_x(q) and in the support of an active node that is not in N_x(q). Slices at a q where no line runs are empty: N_x(q)
-/// is. Given that q lies in the x-range of supp B_v, v is in N_x(q) exactly if q is an entry of xx(v), because xx(v) has
-/// all entries of X(v_2, v_3) in that range. The nodes of a brick with q in the union of their x-ranges all are in
-/// N_x(q) or all are not, as far as their supports meet the slice, according as q is an entry of the brick along x; and
-/// since the other indices are free, their supports' part of the slice is that of the brick's support.
-/// So R_x(q) is the intersection of two unions of rectangles: those of the bricks with the entry q, and those of the
-/// bricks that reach q without having it; clipped to the active region.
-/// Cost: the sum over the bricks of the lines that they reach along the axis, and painting each slice once.
+/// N_x(q) and in the support of an active node that is not in N_x(q). Slices at a q where no line runs are empty:
+/// N_x(q) is. Given that q lies in the x-range of supp B_v, v is in N_x(q) exactly if q is an entry of xx(v), because
+/// xx(v) has all entries of X(v_2, v_3) in that range. The nodes of a brick with q in the union of their x-ranges all
+/// are in N_x(q) or all are not, as far as their supports meet the slice, according as q is an entry of the brick along
+/// x; and since the other indices are free, their supports' part of the slice is that of the brick's support. So R_x(q)
+/// is the intersection of two unions of rectangles: those of the bricks with the entry q, and those of the bricks that
+/// reach q without having it; clipped to the active region. Cost: the sum over the bricks of the lines that they reach
+/// along the axis, and painting each slice once.
 std::vector<Box> perturbed_region(const TSplines& splines, const Bricks& bricks, Axis axis);
 
 /// Where two perturbed regions of different axes meet: their least common point (lexicographically).

@@ -109,7 +109,8 @@ std::vector<Rectangle> UnionIntersection::gather() const {
   const auto close = [&](const Open& rectangle, std::size_t last_row) {
     const auto rows = lattice_range(0, rectangle.first_row, last_row);
     const auto columns = lattice_range(1, rectangle.run[0], rectangle.run[1]);
-    if (rows[0] <= rows[1] && columns[0] <= columns[1]) result.push_back({{rows[0], columns[0]}, {rows[1], columns[1]}});
+    if (rows[0] <= rows[1] && columns[0] <= columns[1])
+      result.push_back({{rows[0], columns[0]}, {rows[1], columns[1]}});
   };
   Words row(words_a_row_);
   const std::size_t row_count = 2 * ends_[0].size();
@@ -124,7 +125,8 @@ std::vector<Rectangle> UnionIntersection::gather() const {
       next.push_back({run, same == open.end() ? r : same->first_row});
     }
     for (const Open& above : open) {
-      const bool goes_on = std::any_of(next.begin(), next.end(), [&](const Open& below) { return below.run == above.run; });
+      const bool goes_on =
+          std::any_of(next.begin(), next.end(), [&](const Open& below) { return below.run == above.run; });
       if (!goes_on) close(above, r - 1);
     }
     open = std::move(next);

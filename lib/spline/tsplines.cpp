@@ -16,7 +16,11 @@ std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
 class LineVectors {
  public:
   LineVectors(const Mesh& mesh, const ActiveNodes& nodes, Axis axis, TSplines& splines)
-      : mesh_(mesh), nodes_(nodes), axis_(axis), a_(at(axis)), splines_(splines),
+      : mesh_(mesh),
+        nodes_(nodes),
+        axis_(axis),
+        a_(at(axis)),
+        splines_(splines),
         reach_((mesh.setting.degree[a_] + 1) / 2) {}
 
   void fill() {
@@ -43,8 +47,9 @@ class LineVectors {
     return {mesh_, axis_, position, direction};
   }
 
-  /// The next entry above a node: the nearest upper end among the elements in the octants above it. An octant without an
-  /// element that has the node as a vertex is looked up. Active nodes are inside the domain: all octants have elements.
+  /// The next entry above a node: the nearest upper end among the elements in the octants above it. An octant without
+  /// an element that has the node as a vertex is looked up. Active nodes are inside the domain: all octants have
+  /// elements.
   std::int32_t next_above(std::int32_t node) const {
     std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
     for (std::size_t octant = 0; octant < ActiveNodes::kOctants; ++octant) {

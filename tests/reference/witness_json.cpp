@@ -24,6 +24,12 @@ Integer integer_of(const std::string& digits) {
   return result;
 }
 
+Rational power_of_ten(std::size_t exponent) {
+  Integer unit;
+  mpz_ui_pow_ui(unit.backend().data(), 10, exponent);
+  return Rational(unit);
+}
+
 [[noreturn]] void not_a(const std::string& kind, const json& value) {
   throw Rejected("not a " + kind + ": " + value.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 120));
 }
@@ -59,13 +65,20 @@ Rational read_decimal(const json& value) {
   if (!value.is_string()) not_a("decimal", value);
   const std::string whole = value.get<std::string>();
   const bool negative = !whole.empty() && whole[0] == '-';
-  const std::string body = whole.substr(negative ? 1 : 0);
+  const std::size_t e = whole.find('e');
+  const std::string body = whole.substr(negative ? 1 : 0, e == std::string::npos ? e : e - (negative ? 1 : 0));
   const std::size_t dot = body.find('.');
   const std::string before = body.substr(0, dot), after = dot == std::string::npos ? "0" : body.substr(dot + 1);
   if (!plain_integer(before) || !all_digits(after) || whole == "-0") not_a("decimal", value);
-  Integer unit;
-  mpz_ui_pow_ui(unit.backend().data(), 10, after.size());
-  const Rational result = Rational(integer_of(before)) + Rational(integer_of(after)) / Rational(unit);
+  Rational result = Rational(integer_of(before)) + Rational(integer_of(after)) / power_of_ten(after.size());
+  if (e != std::string::npos) {
+    const std::string exponent = whole.substr(e + 1);
+    const bool small = !exponent.empty() && exponent[0] == '-';
+    const std::string digits = exponent.substr(small ? 1 : 0);
+    if (!plain_integer(digits) || digits.size() > 6) not_a("decimal", value);
+    const Rational factor = power_of_ten(std::stoul(digits));
+    result = small ? Rational(result / factor) : Rational(result * factor);
+  }
   return negative ? Rational(-result) : result;
 }
 

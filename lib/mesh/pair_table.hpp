@@ -5,7 +5,8 @@
 
 namespace asts {
 
-/// Values for ordered pairs of small identifiers, each computed once. Open addressing: a look-up is one probe mostly.
+/// Values for ordered pairs of small identifiers (ranks, vectors, profiles), each computed once. Open addressing: a
+/// look-up is one probe mostly.
 template <typename Value>
 class PairTable {
  public:
