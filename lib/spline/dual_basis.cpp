@@ -3,19 +3,13 @@
 #include <numeric>
 
 #include "lib/exact/errors.hpp"
-#include "lib/mesh/pair_table.hpp"
+#include "lib/spline/axis_factors.hpp"
 
 namespace asts {
 
 namespace {
 
 std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
-std::vector<Rational> coordinates(const Mesh& mesh, const TSplines& splines, Axis axis, std::int32_t vector) {
-  std::vector<Rational> result;
-  for (const std::int32_t rank : splines.vectors[at(axis)][vector]) result.push_back(mesh.coordinate(axis, rank));
-  return result;
-}
 
 FieldElement product(const PerAxis<FieldElement>& factors) {
   int n = 1;
@@ -25,80 +19,6 @@ FieldElement product(const PerAxis<FieldElement>& factors) {
   for (const FieldElement& factor : factors) value *= embed(factor, field);
   return value;
 }
-
-/// Of the pairs of indices of two bricks along one axis, how many have a factor other than 0.
-struct NonzeroCounts {
-  std::int32_t forward = 0;   ///< lambda of the first brick's vectors on the B-splines of the second's
-  std::int32_t backward = 0;  ///< the other way round
-};
-
-/// The factors along one axis; each ordered pair of index vectors is evaluated once, each pair of profiles counted
-/// once.
-class AxisFactors {
- public:
-  AxisFactors(const Mesh& mesh, const TSplines& splines, const Bricks& bricks, Axis axis)
-      : mesh_(mesh), splines_(splines), bricks_(bricks), axis_(axis), functional_(mesh.setting.degree[at(axis)]) {}
-
-  /// Counts pairs of index vectors whose ranges have common interior; for the others the factor is 0.
-  NonzeroCounts nonzero(const Brick& one, const Brick& other) {
-    const std::int32_t a = one.profile[at(axis_)];
-    const std::int32_t b = other.profile[at(axis_)];
-    const NonzeroCounts counts = counts_.get(std::min(a, b), std::max(a, b), [&] {
-      const auto& profiles = bricks_.profiles[at(axis_)];
-      return count(profiles[at(std::min(a, b))], profiles[at(std::max(a, b))]);
-    });
-    return a <= b ? counts : NonzeroCounts{counts.backward, counts.forward};
-  }
-
-  /// Pairs of index vectors whose ranges have common interior.
-  std::int64_t meeting(const Brick& one, const Brick& other) const {
-    std::int64_t result = 0;
-    for (const std::int32_t x : bricks_.profile(one, axis_).vector_ids) {
-      for (const std::int32_t y : bricks_.profile(other, axis_).vector_ids) result += meet(x, y) ? 1 : 0;
-    }
-    return result;
-  }
-
-  bool is_zero(std::int32_t x, std::int32_t x_tilde) {
-    return zero_.get(x, x_tilde, [&] { return lambda(x, x_tilde).is_zero(); });
-  }
-
-  FieldElement lambda(std::int32_t x, std::int32_t x_tilde) {
-    return functional_.lambda(coordinates(mesh_, splines_, axis_, x), coordinates(mesh_, splines_, axis_, x_tilde));
-  }
-
-  bool is_one(std::int32_t x) {
-    return one_.get(x, x, [&] { return lambda(x, x) == Rational(1); });
-  }
-
-  bool meet(std::int32_t x, std::int32_t x_tilde) const {
-    const IndexVectors& vectors = splines_.vectors[at(axis_)];
-    return interiors_meet(RankInterval{vectors.front(x), vectors.back(x)},
-                          RankInterval{vectors.front(x_tilde), vectors.back(x_tilde)});
-  }
-
- private:
-  NonzeroCounts count(const AxisProfile& one, const AxisProfile& other) {
-    NonzeroCounts result;
-    for (const std::int32_t x : one.vector_ids) {
-      for (const std::int32_t y : other.vector_ids) {
-        if (!meet(x, y)) continue;
-        result.forward += is_zero(x, y) ? 0 : 1;
-        result.backward += is_zero(y, x) ? 0 : 1;
-      }
-    }
-    return result;
-  }
-
-  const Mesh& mesh_;
-  const TSplines& splines_;
-  const Bricks& bricks_;
-  Axis axis_;
-  DualFunctional functional_;
-  PairTable<bool> zero_;
-  PairTable<bool> one_;
-  PairTable<NonzeroCounts> counts_;
-};
 
 class DualFailures {
  public:
@@ -242,8 +162,8 @@ class DualFailures {
 DualValue dual_value(const Mesh& mesh, const TSplines& splines, std::int32_t v, std::int32_t w) {
   const auto factor = [&](Axis axis) {
     DualFunctional functional(mesh.setting.degree[at(axis)]);
-    return functional.lambda(coordinates(mesh, splines, axis, splines.vector_ids[at(v)][at(axis)]),
-                             coordinates(mesh, splines, axis, splines.vector_ids[at(w)][at(axis)]));
+    return functional.lambda(vector_coordinates(mesh, splines, axis, splines.vector_ids[at(v)][at(axis)]),
+                             vector_coordinates(mesh, splines, axis, splines.vector_ids[at(w)][at(axis)]));
   };
   static_assert(kDimension == 3, "one factor an axis");
   PerAxis<FieldElement> factors{factor(0), factor(1), factor(2)};
