@@ -1,0 +1,145 @@
+#include "lib/spline/tsplines.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lib/gen/random_case.hpp"
+#include "lib/mesh/case_file.hpp"
+#include "lib/refine/replay.hpp"
+#include "tests/literal_mesh.hpp"
+#include "tests/reference/spline.hpp"
+
+namespace asts {
+namespace {
+
+Mesh last_mesh(const Case& content) {
+  if (content.explicit_mesh) return mesh_of(setting_of(content), content.elements);
+  Replay replay(content);
+  while (!replay.done()) replay.advance();
+  return mesh_of(replay.tree());
+}
+
+Mesh mesh_of_text(const std::string& text) { return last_mesh(parse_case("asts-case 1\n" + text, "f")); }
+
+reference::Point node_of(const Mesh& mesh, const TSplines& splines, std::int32_t node) {
+  reference::Point point;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    point[a] = mesh.coordinate(axis, splines.nodes[static_cast<std::size_t>(node)][a]);
+  }
+  return point;
+}
+
+std::vector<Rational> vector_of(const Mesh& mesh, const TSplines& splines, std::int32_t node, Axis axis) {
+  std::vector<Rational> result;
+  for (const std::int32_t rank : splines.index_vector(node, axis)) result.push_back(mesh.coordinate(axis, rank));
+  return result;
+}
+
+std::vector<Rational> integers(int first, int last) {
+  std::vector<Rational> result;
+  for (int i = first; i <= last; ++i) result.emplace_back(i);
+  return result;
+}
+
+// p = (3,5,3), 5 x 6 x 4 cubes: AR = [2,3] x [3,3] x [2,2], so the nodes (2,3,2) and (3,3,2), with p+2 integers around.
+TEST(TSplines, OfAnInitialMesh) {
+  const Mesh mesh = mesh_of_text("degree 3 5 3\ngrading 2\ndomain 5 6 4\n");
+  const TSplines splines = tsplines_of(mesh);
+  EXPECT_FALSE(splines.missing);
+  ASSERT_EQ(splines.size(), 2);
+  EXPECT_EQ(node_of(mesh, splines, 0), (reference::Point{2, 3, 2}));
+  EXPECT_EQ(node_of(mesh, splines, 1), (reference::Point{3, 3, 2}));
+  EXPECT_EQ(vector_of(mesh, splines, 0, 0), integers(0, 4));
+  EXPECT_EQ(vector_of(mesh, splines, 1, 0), integers(1, 5));
+  EXPECT_EQ(vector_of(mesh, splines, 1, 1), integers(0, 6));
+  EXPECT_EQ(vector_of(mesh, splines, 1, 2), integers(0, 4));
+}
+
+// X~ = 3 < p+1: AR is empty. X~ = p+1: it is one plane.
+TEST(TSplines, NeedAnActiveRegion) {
+  const Mesh narrow = mesh_of_text("degree 3 3 3\ngrading 2\ndomain 3 4 4\n");
+  EXPECT_TRUE(tsplines_of(narrow).region.empty);
+  EXPECT_EQ(tsplines_of(narrow).size(), 0);
+  const Mesh thin = mesh_of_text("degree 3 3 3\ngrading 2\ndomain 4 4 4\n");
+  EXPECT_FALSE(tsplines_of(thin).region.empty);
+  EXPECT_EQ(tsplines_of(thin).size(), 1);
+}
+
+// [2,3]^3 is cut at x = 5/2: its four new nodes are on lines y, z in {2, 3}. Through (2, 2) run x = 2, 5/2, 3, so that
+// x(5/2,2,2) = (1, 2, 5/2, 3, 4) and x(2,2,2) = (0, 1, 2, 5/2, 3).
+TEST(TSplines, NewNodesShortenTheVectorsOnTheirLines) {
+  const Mesh mesh = mesh_of_text("degree 3 3 3\ngrading 2\ndomain 5 5 5\nsubdivide 2 2 2\n");
+  const TSplines splines = tsplines_of(mesh);
+  ASSERT_EQ(splines.size(), 8 + 4);
+  const Rational cut = Rational(5) / 2;
+  EXPECT_EQ(node_of(mesh, splines, 0), (reference::Point{2, 2, 2}));
+  EXPECT_EQ(node_of(mesh, splines, 4), (reference::Point{cut, 2, 2})) << "lexicographic";
+  EXPECT_EQ(vector_of(mesh, splines, 0, 0), (std::vector<Rational>{0, 1, 2, cut, 3}));
+  EXPECT_EQ(vector_of(mesh, splines, 4, 0), (std::vector<Rational>{1, 2, cut, 3, 4}));
+  EXPECT_EQ(vector_of(mesh, splines, 4, 1), integers(0, 4)) << "Y(5/2, 2): faces of uncut elements are closed";
+}
+
+// The slab [0,2] x [0,4]^2 is one box, so no x-orthogonal face lies at 1: X(2,2) = {0, 2, 3, 4}, and the node (2,2,2)
+// has one entry below it where p = 3 wants two.
+TEST(TSplines, AMissingVectorNamesTheNodeAndTheAxis) {
+  std::string text = "degree 3 3 3\ngrading 2\ndomain 4 4 4\nelement 0 0 0 2 4 4\n";
+  for (const char* x : {"2 3", "3 4"}) {
+    for (const char* y : {"0 1", "1 2", "2 3", "3 4"}) {
+      for (const char* z : {"0 1", "1 2", "2 3", "3 4"}) {
+        const std::string box{x[0], ' ', y[0], ' ', z[0], ' ', x[2], ' ', y[2], ' ', z[2], '\n'};
+        text += "element " + box;
+      }
+    }
+  }
+  const Mesh mesh = mesh_of_text(text);
+  const TSplines splines = tsplines_of(mesh);
+  ASSERT_EQ(splines.size(), 1);
+  ASSERT_TRUE(splines.missing);
+  EXPECT_EQ(splines.missing->axis, 0);
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    EXPECT_EQ(mesh.coordinates[axis][static_cast<std::size_t>(splines.missing->node[axis])], 2);
+  }
+}
+
+void compare(const Mesh& mesh, int& nodes, int& missing) {
+  const auto space = reference::make_space<Rational>(literal::setting(mesh.setting), literal::mesh(mesh), 1);
+  const TSplines splines = tsplines_of(mesh);
+  const auto expected_nodes = reference::active_nodes(space);
+  ASSERT_EQ(static_cast<std::size_t>(splines.size()), expected_nodes.size());
+  const auto expected = reference::active_splines(space);
+  ASSERT_EQ(splines.missing.has_value(), !expected.has_value());
+  missing += splines.missing.has_value();
+  for (std::int32_t node = 0; node < splines.size(); ++node) {
+    const auto i = static_cast<std::size_t>(node);
+    ASSERT_EQ(node_of(mesh, splines, node), expected_nodes[i]);
+    if (splines.missing) continue;
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      ASSERT_EQ(vector_of(mesh, splines, node, axis), (*expected)[i].vectors[a]) << node << axis_name(axis);
+      const RankInterval support = splines.support(node, axis);
+      ASSERT_EQ(mesh.coordinate(axis, support.lower), (*expected)[i].support.lower[a]);
+      ASSERT_EQ(mesh.coordinate(axis, support.upper), (*expected)[i].support.upper[a]);
+    }
+    ++nodes;
+  }
+}
+
+// Definitions 4.1 and 4.4 on meshes of all origins, degrees mixed.
+TEST(TSplines, AgreeWithTheLiteralDefinitions) {
+  Draw draw(19);
+  int nodes = 0;
+  int missing = 0;
+  const CaseLimits limits{5, 5, 8, 320, 450, 6};
+  for (int round = 0; round < 180; ++round) {
+    const auto generate = round % 3 == 0 ? random_box_case : round % 3 == 1 ? random_bare_case : random_admissible_case;
+    const Case content = generate(draw, limits).content;
+    SCOPED_TRACE(write_case(content));
+    compare(last_mesh(content), nodes, missing);
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(nodes, 1000);
+  EXPECT_GT(missing, 0);
+}
+
+}  // namespace
+}  // namespace asts
