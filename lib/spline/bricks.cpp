@@ -1,6 +1,7 @@
 #include "lib/spline/bricks.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 #include "lib/exact/errors.hpp"
@@ -138,6 +139,16 @@ class Joiner {
   Bricks result_;
 };
 
+/// A counting sort: those who read the pairs find the first brick and its neighbours in the cache.
+void sort_by_first(Bricks& bricks) {
+  std::vector<std::size_t> begin(bricks.bricks.size() + 1, 0);
+  for (const auto& pair : bricks.pairs) ++begin[at(pair.first) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::pair<std::int32_t, std::int32_t>> sorted(bricks.pairs.size());
+  for (const auto& pair : bricks.pairs) sorted[begin[at(pair.first)]++] = pair;
+  bricks.pairs = std::move(sorted);
+}
+
 }  // namespace
 
 std::int32_t Bricks::node(const Brick& brick, const PerAxis<std::int32_t>& index) const {
@@ -165,6 +176,7 @@ Bricks bricks_of(const TSplines& splines, std::size_t max_pairs) {
       throw BudgetExhausted("more pairs of meeting supports than the budget allows");
     result.pairs.emplace_back(std::min(i, j), std::max(i, j));
   });
+  sort_by_first(result);
   return result;
 }
 
