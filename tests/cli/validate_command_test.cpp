@@ -151,6 +151,17 @@ TEST_P(CorruptedRecord, IsNotValid) {
   EXPECT_NE(outcome.out.find("NOT VALID"), std::string::npos);
 }
 
+// A record's step is the mesh's number in its case; an earlier mesh is another mesh.
+TEST(ValidateCommand, RejectsARecordWithAnotherStep) {
+  const TemporaryFolder folder;
+  ordered_json record = records_of(run({"check", "--final", "--format", "json", "-"}, kBareCases[0]).out)[0];
+  ASSERT_EQ(record["step"], 5);
+  for (const char* step : {"4", "6", "-1", "\"5\"", "5.0"}) {
+    record["step"] = ordered_json::parse(step);
+    EXPECT_EQ(run({"validate", folder.write("records", record.dump())}).exit_code, 1) << step;
+  }
+}
+
 // The witnesses are true of the mesh that the record carries, not of another one.
 TEST(ValidateCommand, RejectsAWitnessOfAnotherMesh) {
   const TemporaryFolder folder;
