@@ -41,9 +41,13 @@ void LineWalker::enter_elements() {
   for (std::size_t quadrant = 0; quadrant < quadrants_; ++quadrant) {
     if (ends_[quadrant] != rank_) continue;
     cells_[quadrant][axis_] = direction_ > 0 ? rank_ : rank_ - 1;
-    const Box& box = mesh_.elements[at(mesh_.locator.element_at(cells_[quadrant]))];
-    ends_[quadrant] = direction_ > 0 ? box.upper[axis_] : box.lower[axis_];
+    ends_[quadrant] = end_of(mesh_.locator.element_at(cells_[quadrant]));
   }
+}
+
+std::int32_t LineWalker::end_of(std::int32_t element) const {
+  const Box& box = mesh_.elements[at(element)];
+  return direction_ > 0 ? box.upper[axis_] : box.lower[axis_];
 }
 
 std::int32_t LineWalker::next() {

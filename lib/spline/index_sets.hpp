@@ -33,11 +33,17 @@ class LineWalker {
   /// entry; direction is +1 or -1. REQUIRES: the position lies in the domain; its own axis's half rank is even.
   LineWalker(const Mesh& mesh, Axis axis, const PerAxis<HalfRank>& position, int direction);
 
+  /// Spares a search: the element that the walk meets first in a quadrant. Bit k of the quadrant is set for the side
+  /// below the line along the k-th of the other axes. REQUIRES: the line is in lines of both other axes, inside the
+  /// domain; next() was not called yet.
+  void enter(std::size_t quadrant, std::int32_t element) { ends_[quadrant] = end_of(element); }
+
   /// Goes on to the next entry; -1 at the end of the domain. Cost: a search in the mesh for each element that ended.
   std::int32_t next();
 
  private:
   void enter_elements();
+  std::int32_t end_of(std::int32_t element) const;
 
   const Mesh& mesh_;
   std::size_t axis_;

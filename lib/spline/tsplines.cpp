@@ -44,7 +44,23 @@ class LineVectors {
   LineWalker walker_at(std::int32_t node, int direction) const {
     PerAxis<HalfRank> position{};
     for (std::size_t axis = 0; axis < kDimension; ++axis) position[axis] = 2 * nodes_.positions[at(node)][axis];
-    return {mesh_, axis_, position, direction};
+    LineWalker walker(mesh_, axis_, position, direction);
+    for (std::size_t quadrant = 0; quadrant < LineWalker::kQuadrants; ++quadrant) {
+      const std::int32_t element = nodes_.beside[at(node)][octant_of(quadrant, direction)];
+      if (element >= 0) walker.enter(quadrant, element);
+    }
+    return walker;
+  }
+
+  /// The octant of a node that a walk from it enters in one of its quadrants.
+  std::size_t octant_of(std::size_t quadrant, int direction) const {
+    std::size_t octant = direction > 0 ? std::size_t{1} << a_ : 0;
+    for (std::size_t axis = 0; axis < kDimension; ++axis) {
+      if (axis == a_) continue;
+      if ((quadrant & 1) == 0) octant |= std::size_t{1} << axis;
+      quadrant >>= 1;
+    }
+    return octant;
   }
 
   /// The next entry above a node: the nearest upper end among the elements in the octants above it. An octant without
