@@ -62,6 +62,8 @@ TEST(Overlap, ByHand) {
   EXPECT_FALSE(overlap(even, Vector{4, 8, 10, 12, 14})) << "6 is within [4,14] and no entry";
   EXPECT_FALSE(overlap(even, Vector{-1, 0, 8, 9, 10})) << "2, 4 and 6 are lacking";
   EXPECT_FALSE(overlap(even, Vector{-1, 1, 9, 10, 11}));
+  EXPECT_FALSE(overlap(even, Vector{-2, -1, 0, 2, 7})) << "7 alone, behind the entries that agree";
+  EXPECT_FALSE(overlap(even, Vector{-3, -2, -1, 0, 3})) << "2 and 3, either alone";
 }
 
 TEST(Overlap, MissingEntriesAreListedFromEitherSide) {

@@ -79,6 +79,36 @@ TEST(TSplines, NewNodesShortenTheVectorsOnTheirLines) {
   EXPECT_EQ(vector_of(mesh, splines, 4, 1), integers(0, 4)) << "Y(5/2, 2): faces of uncut elements are closed";
 }
 
+// Between two nodes of one line there may be any number of entries without a node: the halves [5/2,3] and [c,c+1/2] of
+// two cubes of a row are cut at y = 5/2, and the line y = 5/2, z = 2 crosses the faces of the uncut cubes between them
+// in their interiors. Whether there are fewer of these than (p+1)/2 = 2, as many or more, the vectors take the nearest.
+TEST(TSplines, VectorsReachAcrossEntriesWithoutNodes) {
+  const Rational half = Rational(1) / 2;
+  for (int cube = 3; cube <= 9; ++cube) {
+    const std::string c = std::to_string(cube);
+    const Mesh mesh = mesh_of_text("degree 3 3 3\ngrading 2\ndomain 12 5 4\nsubdivide 2 2 1  " + c +
+                                   " 2 1\nsubdivide 5/2 2 1  " + c + " 2 1\n");
+    std::vector<Rational> line{0, 1, 2, 2 + half, 3};
+    for (int i = 4; i <= 12; ++i) {
+      line.emplace_back(i);
+      if (i == cube) line.push_back(i + half);
+    }
+    if (cube == 3) line.insert(line.begin() + 5, 3 + half);
+    const TSplines splines = tsplines_of(mesh);
+    int found = 0;
+    for (std::int32_t node = 0; node < splines.size(); ++node) {
+      const reference::Point point = node_of(mesh, splines, node);
+      if (point[1] != 2 + half || point[2] != 2) continue;
+      const auto place = std::find(line.begin(), line.end(), point[0]);
+      ASSERT_NE(place, line.end());
+      EXPECT_EQ(vector_of(mesh, splines, node, 0), std::vector<Rational>(place - 2, place + 3))
+          << cube << ", " << point[0];
+      ++found;
+    }
+    EXPECT_EQ(found, cube == 3 ? 3 : 4);
+  }
+}
+
 // The slab [0,2] x [0,4]^2 is one box, so no x-orthogonal face lies at 1: X(2,2) = {0, 2, 3, 4}, and the node (2,2,2)
 // has one entry below it where p = 3 wants two.
 TEST(TSplines, AMissingVectorNamesTheNodeAndTheAxis) {
@@ -129,8 +159,10 @@ TEST(TSplines, AgreeWithTheLiteralDefinitions) {
   Draw draw(19);
   int nodes = 0;
   int missing = 0;
-  const CaseLimits limits{5, 5, 8, 320, 450, 6};
+  const CaseLimits thick{5, 5, 8, 320, 450, 6};
+  const CaseLimits narrow{3, 3, 14, 224, 300, 10};  // long lines with nodes far apart
   for (int round = 0; round < 180; ++round) {
+    const CaseLimits& limits = round % 2 == 0 ? thick : narrow;
     const auto generate = round % 3 == 0 ? random_box_case : round % 3 == 1 ? random_bare_case : random_admissible_case;
     const Case content = generate(draw, limits).content;
     SCOPED_TRACE(write_case(content));
