@@ -113,13 +113,17 @@ void count(const std::map<std::string, std::string>& verdicts, Tally& tally) {
   tally.analysis_suitable_only += analysis_suitable && !dual_compatible;
 }
 
-/// Small enough for the literal code: some milliseconds a mesh. One case in eight has higher degrees.
+/// Small enough for the literal code: some milliseconds a mesh. One case in eight has higher degrees, one in eight has
+/// room for nodes that are far apart on one line.
 RandomCase small_case(Draw& draw, Origin origin) {
   CaseLimits limits;
   limits.max_steps = 9;
   limits.max_elements = 300;
   if (draw.one_in(8)) {
     limits.max_degree = 5;
+    limits.max_cubes = 180;
+  } else if (draw.one_in(7)) {
+    limits.max_side = 12;
     limits.max_cubes = 180;
   }
   switch (origin) {
