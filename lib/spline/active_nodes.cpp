@@ -19,7 +19,7 @@ class NodeTable {
       slots_[slot] = static_cast<std::int32_t>(nodes_.positions.size());
       nodes_.positions.push_back(position);
       nodes_.beside.emplace_back().fill(-1);
-      if (2 * nodes_.positions.size() > slots_.size()) {
+      if (4 * nodes_.positions.size() > slots_.size()) {
         grow();
         slot = slot_of(position);
       }
@@ -28,11 +28,16 @@ class NodeTable {
   }
 
  private:
+  /// Nodes of a block of 4 ranks an axis have neighbouring slots, so that nodes of neighbouring elements, which come
+  /// one after the other, are found in the same cache lines and pages; the table is kept sparse for it.
   std::size_t slot_of(const PerAxis<std::int32_t>& position) const {
-    std::uint64_t hash = 0;
-    for (const std::int32_t rank : position) hash = (hash + static_cast<std::uint32_t>(rank)) * 0x9E3779B97F4A7C15ull;
-    hash ^= hash >> 29;
-    std::size_t slot = (hash * 0xBF58476D1CE4E5B9ull) >> 20 & (slots_.size() - 1);
+    std::uint64_t block = 0;
+    std::uint64_t inside = 0;
+    for (const std::int32_t rank : position) {
+      block = (block + static_cast<std::uint32_t>(rank >> 2)) * 0x9E3779B97F4A7C15ull;
+      inside = inside << 2 | static_cast<std::uint32_t>(rank & 3);
+    }
+    std::size_t slot = (((block ^ block >> 32) * 0xBF58476D1CE4E5B9ull >> 20) + inside) & (slots_.size() - 1);
     while (slots_[slot] >= 0 && nodes_.positions[at(slots_[slot])] != position) slot = (slot + 1) & (slots_.size() - 1);
     return slot;
   }
@@ -51,6 +56,8 @@ class NodeTable {
 /// Gathers the vertices in the active region, in the order of the elements.
 ActiveNodes collect(const Mesh& mesh, const ActiveRegion& region) {
   ActiveNodes nodes;
+  nodes.positions.reserve(mesh.elements.size());  // a guess that is about right for fine meshes
+  nodes.beside.reserve(mesh.elements.size());
   NodeTable table(nodes);
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
     const Box& box = mesh.elements[element];
