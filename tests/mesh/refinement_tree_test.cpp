@@ -82,40 +82,42 @@ TEST(RefinementTree, RefusesWhatDoesNotFit) {
   EXPECT_THROW(RefinementTree(Setting{{3, 3, 3}, 2, {0, 1, 1}}), InputError);
 }
 
-// Law 1 and `leaf_at`, `environment` against the literal code on random trees.
+/// The tree after subdividing what the case's marks name, one after the other, without closures.
+RefinementTree subdivided(const Case& content) {
+  RefinementTree tree(setting_of(content));
+  for (const Step& step : content.steps) {
+    for (const Point& mark : step.marks) tree.subdivide(tree.leaf_at(mark));
+    tree.update_ranks();
+  }
+  return tree;
+}
+
+/// The leaf at a point, its level and its environment, by Definitions 2.2 and 2.4.
+void expect_leaf(const RefinementTree& tree, const reference::Mesh& boxes, const Point& where) {
+  const reference::Setting setting = literal::setting(tree.setting());
+  const std::int32_t leaf = tree.leaf_at(where);
+  const reference::Box box = literal::box(tree, leaf);
+  EXPECT_EQ(box, boxes[*reference::element_at(setting, boxes, literal::point(where))]);
+  EXPECT_EQ(tree.node(leaf).level, reference::level(setting, box));
+  const reference::Box environment = reference::environment(setting, box);
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const AxisGrid& grid = tree.grid(axis);
+    const RankInterval window = tree.environment(leaf, axis);
+    EXPECT_EQ(grid.coordinate(grid.line_of_rank(window.lower)), environment.lower[static_cast<std::size_t>(axis)]);
+    EXPECT_EQ(grid.coordinate(grid.line_of_rank(window.upper)), environment.upper[static_cast<std::size_t>(axis)]);
+  }
+}
+
+// Law 1, and what stands at random points.
 TEST(RefinementTree, AgreesWithTheLiteralDefinitionsOnRandomSubdivisions) {
   Draw draw(6);
   for (int round = 0; round < 40; ++round) {
-    const Case content = random_bare_case(draw, {5, 5, 6, 60, 120, 8}).content;
     SCOPED_TRACE(round);
-    RefinementTree tree(setting_of(content));
-    for (const Step& step : content.steps) {
-      std::vector<std::int32_t> leaves;
-      if (step.kind != Step::Kind::subdivide) continue;
-      for (const Point& mark : step.marks) leaves.push_back(tree.leaf_at(mark));
-      for (const std::int32_t leaf : leaves) {
-        if (tree.is_leaf(leaf)) tree.subdivide(leaf);
-      }
-      tree.update_ranks();
-    }
-    const reference::Setting setting = literal::setting(tree.setting());
+    const RefinementTree tree = subdivided(random_bare_case(draw, {5, 5, 6, 60, 120, 8}).content);
     const reference::Mesh boxes = leaf_boxes(tree);
-    EXPECT_TRUE(reference::tiles_domain(setting, boxes));
+    EXPECT_TRUE(reference::tiles_domain(literal::setting(tree.setting()), boxes));
     EXPECT_EQ(static_cast<std::int64_t>(boxes.size()), tree.element_count());
-    for (int tries = 0; tries < 20; ++tries) {
-      const Point where = random_point(draw, tree.setting());
-      const std::int32_t leaf = tree.leaf_at(where);
-      const reference::Box box = literal::box(tree, leaf);
-      EXPECT_EQ(box, boxes[*reference::element_at(setting, boxes, literal::point(where))]);
-      EXPECT_EQ(tree.node(leaf).level, reference::level(setting, box));
-      const reference::Box environment = reference::environment(setting, box);
-      for (Axis axis = 0; axis < kDimension; ++axis) {
-        const AxisGrid& grid = tree.grid(axis);
-        const RankInterval window = tree.environment(leaf, axis);
-        EXPECT_EQ(grid.coordinate(grid.line_of_rank(window.lower)), environment.lower[static_cast<std::size_t>(axis)]);
-        EXPECT_EQ(grid.coordinate(grid.line_of_rank(window.upper)), environment.upper[static_cast<std::size_t>(axis)]);
-      }
-    }
+    for (int tries = 0; tries < 20; ++tries) expect_leaf(tree, boxes, random_point(draw, tree.setting()));
   }
 }
 
