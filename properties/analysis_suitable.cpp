@@ -9,8 +9,8 @@ namespace {
 
 PerturbationInfo describe_perturbation(MeshUnderTest& mesh, const PerAxis<HalfRank>& point, Axis axis) {
   const auto [in, out] = nodes_behind(mesh.splines(), mesh.bricks(), axis, point);
-  return {axis, coordinate_of(mesh.mesh(), axis, point[static_cast<std::size_t>(axis)]),
-          describe_node(mesh.mesh(), mesh.splines(), in), describe_node(mesh.mesh(), mesh.splines(), out)};
+  return {axis, coordinate_of(mesh.mesh(), axis, point[at(axis)]), describe_node(mesh.mesh(), mesh.splines(), in),
+          describe_node(mesh.mesh(), mesh.splines(), out)};
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ Verdict decide_analysis_suitable(MeshUnderTest& mesh) {
   if (!meeting) return Verdict::holds();
   ExactPoint point;
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
+    const auto a = at(axis);
     point[a] = coordinate_of(mesh.mesh(), axis, meeting->point[a]);
   }
   return Verdict::violated(RegionsMeetWitness{point, describe_perturbation(mesh, meeting->point, meeting->first_axis),

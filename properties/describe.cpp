@@ -6,8 +6,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 Rational tree_coordinate(const RefinementTree& tree, Axis axis, std::int32_t rank) {
   return tree.grid(axis).coordinate(tree.grid(axis).line_of_rank(rank));
 }

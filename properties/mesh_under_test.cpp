@@ -6,8 +6,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 bool is_unit_cube(const Mesh& mesh, const Box& box) {
   for (Axis axis = 0; axis < kDimension; ++axis) {
     const Rational& lower = mesh.coordinate(axis, box.lower[at(axis)]);

@@ -13,7 +13,7 @@ std::optional<Verdict> lacks_splines(MeshUnderTest& mesh) {
   if (!splines.missing) return std::nullopt;
   std::string node;
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
+    const auto a = at(axis);
     node += (axis == 0 ? "(" : ", ") + to_string(mesh.mesh().coordinate(axis, splines.missing->node[a]));
   }
   return Verdict::not_applicable("the active node " + node + ") has no local index vector along " +

@@ -8,8 +8,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 Point lower_corner(const RefinementTree& tree, std::int32_t leaf) {
   Point point;
   for (Axis axis = 0; axis < kDimension; ++axis) {

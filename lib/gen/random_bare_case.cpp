@@ -10,8 +10,6 @@ namespace {
 
 using Leaves = std::vector<std::int32_t>;
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 bool subdivide_one(GrowingCase& growing, std::int32_t leaf) {
   return growing.add(Step::Kind::subdivide, std::vector{leaf});
 }

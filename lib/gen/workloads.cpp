@@ -10,8 +10,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// The coordinates of an axis's lines, by rank, measured so that the comparisons with the sphere are between squares:
 /// 4 (coordinate - centre), squared.
 struct Distances {
@@ -61,8 +59,7 @@ std::vector<std::int32_t> leaves_on_sphere(const RefinementTree& tree) {
       leaves.push_back(id);
       continue;
     }
-    const std::int32_t first = tree.node(id).first_child;
-    for (std::int32_t child = first + tree.child_count(id) - 1; child >= first; --child) pending.push_back(child);
+    tree.push_children(id, pending);
   }
   return leaves;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace asts {
@@ -15,10 +16,13 @@ using Axis = int;
 template <typename T>
 using PerAxis = std::array<T, kDimension>;
 
+/// An axis, a rank or an identifier as an index of a container. REQUIRES: id >= 0.
+constexpr std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
+
 /// "x", "y" or "z".
 inline const char* axis_name(Axis axis) {
   static constexpr PerAxis<const char*> names{"x", "y", "z"};
-  return names[static_cast<std::size_t>(axis)];
+  return names[at(axis)];
 }
 
 }  // namespace asts

@@ -6,12 +6,6 @@
 
 namespace asts {
 
-namespace {
-
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
-}  // namespace
-
 AxisGrid::AxisGrid(int length, int grading, int degree) : grading_(grading), degree_(degree) {
   require(length >= 1 && grading >= 2 && degree >= 1, "an axis needs length >= 1, grading >= 2, degree >= 1");
   lines_.reserve(at(length) + 1);

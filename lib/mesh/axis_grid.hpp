@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lib/exact/grid_coordinate.hpp"
+#include "lib/mesh/axis.hpp"
 
 namespace asts {
 
@@ -38,26 +39,26 @@ class AxisGrid {
   int length() const { return static_cast<int>(unit_cells_.size()); }
   std::int32_t root() const { return 0; }
   /// The cell [index, index + 1]. REQUIRES: 0 <= index < length().
-  std::int32_t unit_cell(int index) const { return unit_cells_[static_cast<std::size_t>(index)]; }
-  bool is_block(std::int32_t cell) const { return cells_[static_cast<std::size_t>(cell)].depth < 0; }
+  std::int32_t unit_cell(int index) const { return unit_cells_[at(index)]; }
+  bool is_block(std::int32_t cell) const { return cells_[at(cell)].depth < 0; }
   /// Number of unit cells in a block cell or 1.
-  int units_in(std::int32_t cell) const { return cells_[static_cast<std::size_t>(cell)].units; }
+  int units_in(std::int32_t cell) const { return cells_[at(cell)].units; }
 
   /// The first of the contiguous children: 2 of a block cell, m of the others; made, with their windows, when missing.
   std::int32_t children(std::int32_t cell);
 
   /// Ranks of a cell's ends and of its window's ends. REQUIRES: update_ranks() since the last call of children().
-  RankInterval extent(std::int32_t cell) const { return extent_[static_cast<std::size_t>(cell)]; }
-  RankInterval window(std::int32_t cell) const { return window_[static_cast<std::size_t>(cell)]; }
+  RankInterval extent(std::int32_t cell) const { return extent_[at(cell)]; }
+  RankInterval window(std::int32_t cell) const { return window_[at(cell)]; }
 
   /// Renumbers the lines if new ones came. Cost: linear in cells when there are new lines, constant otherwise.
   void update_ranks();
 
   std::int32_t line_count() const { return static_cast<std::int32_t>(lines_.size()); }
   /// The line of a rank; REQUIRES: ranks are up to date.
-  std::int32_t line_of_rank(std::int32_t rank) const { return line_of_rank_[static_cast<std::size_t>(rank)]; }
-  std::int32_t rank_of_line(std::int32_t line) const { return rank_of_line_[static_cast<std::size_t>(line)]; }
-  Rational coordinate(std::int32_t line) const { return lines_[static_cast<std::size_t>(line)].to_rational(); }
+  std::int32_t line_of_rank(std::int32_t rank) const { return line_of_rank_[at(rank)]; }
+  std::int32_t rank_of_line(std::int32_t line) const { return rank_of_line_[at(line)]; }
+  Rational coordinate(std::int32_t line) const { return lines_[at(line)].to_rational(); }
 
  private:
   struct Cell {

@@ -11,8 +11,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// -log_m of a volume, if it is an integer.
 std::int32_t level_of_volume(Rational volume, int grading) {
   std::int32_t level = 0;

@@ -24,18 +24,18 @@ struct Locator {
   std::int32_t element_at(const PerAxis<std::int32_t>& interval) const {
     const Node* node = nodes.data();
     while (node->axis >= 0) {
-      const std::int32_t place = interval[static_cast<std::size_t>(node->axis)];
+      const std::int32_t place = interval[at(node->axis)];
       std::int32_t low = 0;
       std::int32_t high = node->count;
       while (high - low > 1) {  // the last child that begins at or before the place
         const std::int32_t middle = low + (high - low) / 2;
-        if (nodes[static_cast<std::size_t>(node->first + middle)].lower <= place) {
+        if (nodes[at(node->first + middle)].lower <= place) {
           low = middle;
         } else {
           high = middle;
         }
       }
-      node = &nodes[static_cast<std::size_t>(node->first + low)];
+      node = &nodes[at(node->first + low)];
     }
     return node->first;
   }

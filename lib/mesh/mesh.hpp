@@ -32,9 +32,7 @@ struct Mesh {
   std::vector<std::int32_t> levels;  ///< Definition 2.2; kNoLevel where -log_m of the volume is no integer
   Locator locator;                   ///< finds the element that covers a cell between neighbouring lines
 
-  const Rational& coordinate(Axis axis, std::int32_t rank) const {
-    return coordinates[static_cast<std::size_t>(axis)][static_cast<std::size_t>(rank)];
-  }
+  const Rational& coordinate(Axis axis, std::int32_t rank) const { return coordinates[at(axis)][at(rank)]; }
 };
 
 /// The leaves of a refinement tree, in the tree's order. Cost: linear in the tree's nodes.

@@ -7,8 +7,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 std::int32_t whole_part(const Rational& value) {
   return static_cast<std::int32_t>(
       Integer(boost::multiprecision::numerator(value) / boost::multiprecision::denominator(value)));

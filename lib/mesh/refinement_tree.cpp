@@ -9,8 +9,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// The place of a coordinate inside an interval, as a fraction: the interval's start + (rest / denominator) * length.
 /// Going down to the child that contains it is a division with remainder, exact at any depth.
 template <typename Number>
@@ -39,7 +37,7 @@ std::int32_t descend_to_leaf(const RefinementTree& tree, const PerAxis<Number>& 
   }
   std::int32_t id = tree.unit_cube(cube);
   while (!tree.is_leaf(id)) {
-    const auto axis = static_cast<std::size_t>(tree.split_axis(id));
+    const auto axis = at(tree.split_axis(id));
     id = tree.node(id).first_child + place[axis].descend(tree.setting().grading);
   }
   return id;
@@ -67,7 +65,7 @@ Axis RefinementTree::split_axis(std::int32_t id) const {
 
 Axis RefinementTree::longest_block_axis(const Node& block) const {
   Axis longest = 0;
-  const auto units = [&](Axis axis) { return grid(axis).units_in(block.cell[static_cast<std::size_t>(axis)]); };
+  const auto units = [&](Axis axis) { return grid(axis).units_in(block.cell[at(axis)]); };
   for (Axis axis = 1; axis < kDimension; ++axis) {
     if (units(axis) > units(longest)) longest = axis;
   }
@@ -77,7 +75,7 @@ Axis RefinementTree::longest_block_axis(const Node& block) const {
 std::int32_t RefinementTree::block_level(const PerAxis<std::int32_t>& cells) const {
   std::int32_t halvings = 0;
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    const auto units = static_cast<std::uint32_t>(grid(axis).units_in(cells[static_cast<std::size_t>(axis)]));
+    const auto units = static_cast<std::uint32_t>(grid(axis).units_in(cells[at(axis)]));
     halvings += static_cast<std::int32_t>(std::bit_width(units - 1));
   }
   return -halvings;
@@ -85,7 +83,7 @@ std::int32_t RefinementTree::block_level(const PerAxis<std::int32_t>& cells) con
 
 void RefinementTree::build_blocks() {
   PerAxis<std::int32_t> root{};
-  for (Axis axis = 0; axis < kDimension; ++axis) root[static_cast<std::size_t>(axis)] = grid(axis).root();
+  for (Axis axis = 0; axis < kDimension; ++axis) root[at(axis)] = grid(axis).root();
   nodes_.push_back({root, kNone, kNone, block_level(root), 0});
   for (std::int32_t id = 0; id < node_count(); ++id) {
     if (node(id).level < 0) {
@@ -104,7 +102,7 @@ void RefinementTree::add_children(std::int32_t id, Axis axis, std::int32_t count
   if (nodes_.size() + at(count) > at(std::numeric_limits<std::int32_t>::max())) {
     throw ResourceError("the refinement tree has 2^31 nodes");
   }
-  const auto split = static_cast<std::size_t>(axis);
+  const auto split = at(axis);
   Node child = node(id);
   const std::int32_t first_cell = grids_[split].children(child.cell[split]);
   nodes_[at(id)].first_child = node_count();

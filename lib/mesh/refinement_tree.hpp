@@ -38,7 +38,7 @@ class RefinementTree {
   explicit RefinementTree(const Setting& setting);
 
   const Setting& setting() const { return setting_; }
-  const Node& node(std::int32_t id) const { return nodes_[static_cast<std::size_t>(id)]; }
+  const Node& node(std::int32_t id) const { return nodes_[at(id)]; }
   std::int32_t node_count() const { return static_cast<std::int32_t>(nodes_.size()); }
   bool is_leaf(std::int32_t id) const { return node(id).first_child == kNone; }
   /// m for an element, 2 for a block.
@@ -46,12 +46,19 @@ class RefinementTree {
   /// The axis along which a node is split: level mod 3 for an element (Definition 2.6).
   Axis split_axis(std::int32_t id) const;
 
+  /// Appends a node's children to a stack, so that they are taken off it in the order of their coordinates.
+  /// REQUIRES: no leaf.
+  void push_children(std::int32_t id, std::vector<std::int32_t>& stack) const {
+    const std::int32_t first = node(id).first_child;
+    for (std::int32_t child = first + child_count(id) - 1; child >= first; --child) stack.push_back(child);
+  }
+
   std::int64_t element_count() const { return element_count_; }
   /// |G \ G_0|: the leaves that are no unit cubes.
   std::int64_t new_element_count() const { return element_count_ - initial_left_; }
   std::int32_t max_level() const { return max_level_; }
 
-  const AxisGrid& grid(Axis axis) const { return grids_[static_cast<std::size_t>(axis)]; }
+  const AxisGrid& grid(Axis axis) const { return grids_[at(axis)]; }
   RankInterval extent(std::int32_t id, Axis axis) const { return grid(axis).extent(cell(id, axis)); }
   /// The extent of the open environment U(K) (Definition 2.4) along an axis. REQUIRES: level >= 0.
   RankInterval environment(std::int32_t id, Axis axis) const { return grid(axis).window(cell(id, axis)); }
@@ -72,7 +79,7 @@ class RefinementTree {
   std::int32_t unit_cube(const PerAxis<std::int32_t>& index) const;
 
  private:
-  std::int32_t cell(std::int32_t id, Axis axis) const { return node(id).cell[static_cast<std::size_t>(axis)]; }
+  std::int32_t cell(std::int32_t id, Axis axis) const { return node(id).cell[at(axis)]; }
   Axis longest_block_axis(const Node& block) const;
   std::int32_t block_level(const PerAxis<std::int32_t>& cells) const;
   void add_children(std::int32_t id, Axis axis, std::int32_t count);

@@ -9,8 +9,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 class Tiling {
  public:
   Tiling(Mesh& mesh, const std::vector<ElementLine>& lines) : mesh_(mesh), lines_(lines) {}

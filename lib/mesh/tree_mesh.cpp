@@ -6,8 +6,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// The tree's leaves in the order of the tree.
 std::vector<std::int32_t> leaves_in_order(const RefinementTree& tree) {
   std::vector<std::int32_t> leaves;
@@ -20,8 +18,7 @@ std::vector<std::int32_t> leaves_in_order(const RefinementTree& tree) {
       leaves.push_back(id);
       continue;
     }
-    const std::int32_t first = tree.node(id).first_child;
-    for (std::int32_t child = first + tree.child_count(id) - 1; child >= first; --child) pending.push_back(child);
+    tree.push_children(id, pending);
   }
   return leaves;
 }

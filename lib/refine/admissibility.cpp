@@ -7,10 +7,10 @@
 namespace asts {
 
 std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree) {
-  std::vector<std::vector<std::int32_t>> inner(static_cast<std::size_t>(tree.max_level()) + 1);
+  std::vector<std::vector<std::int32_t>> inner(at(tree.max_level()) + 1);
   for (std::int32_t id = 0; id < tree.node_count(); ++id) {
     const RefinementTree::Node& node = tree.node(id);
-    if (node.level > 0 && !tree.is_leaf(id)) inner[static_cast<std::size_t>(node.level)].push_back(id);
+    if (node.level > 0 && !tree.is_leaf(id)) inner[at(node.level)].push_back(id);
   }
   std::optional<CoarserInPatch> result;
   PatchSearch search(tree);
@@ -26,14 +26,14 @@ std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree) {
 
 bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::int32_t> leaves) {
   PatchSearch search(tree);
-  std::vector<std::vector<std::int32_t>> by_level(static_cast<std::size_t>(tree.max_level()) + 1);
-  for (const std::int32_t leaf : leaves) by_level[static_cast<std::size_t>(tree.node(leaf).level)].push_back(leaf);
-  std::vector<bool> in_set(static_cast<std::size_t>(tree.node_count()), false);
-  for (const std::int32_t leaf : leaves) in_set[static_cast<std::size_t>(leaf)] = true;
+  std::vector<std::vector<std::int32_t>> by_level(at(tree.max_level()) + 1);
+  for (const std::int32_t leaf : leaves) by_level[at(tree.node(leaf).level)].push_back(leaf);
+  std::vector<bool> in_set(at(tree.node_count()), false);
+  for (const std::int32_t leaf : leaves) in_set[at(leaf)] = true;
   for (std::size_t level = 1; level < by_level.size(); ++level) {
     const bool clear = search.coarser_in_patches(
         by_level[level], static_cast<std::int32_t>(level), [&](std::int32_t k, std::int32_t coarser) {
-          const std::int32_t after = tree.node(coarser).level + (in_set[static_cast<std::size_t>(coarser)] ? 1 : 0);
+          const std::int32_t after = tree.node(coarser).level + (in_set[at(coarser)] ? 1 : 0);
           return after >= tree.node(k).level;
         });
     if (!clear) return false;

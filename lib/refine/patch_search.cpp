@@ -4,12 +4,6 @@
 
 namespace asts {
 
-namespace {
-
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
-}  // namespace
-
 bool PatchSearch::coarser_in_patches(std::span<const std::int32_t> elements, std::int32_t level, const Found& found) {
   if (elements.empty() || tree_.node(0).coarsest >= level) return true;
   level_ = level;
@@ -102,11 +96,6 @@ bool PatchSearch::reaches(std::int32_t candidate, const Extent& window) const {
   return true;
 }
 
-void PatchSearch::push_children(std::int32_t id) {
-  const std::int32_t first = tree_.node(id).first_child;
-  for (std::int32_t child = first + tree_.child_count(id) - 1; child >= first; --child) pending_.push_back(child);
-}
-
 /// Appends the candidates of an entry: those of the entry above that still count, replaced by their children while
 /// they are larger than the entry's own node.
 void PatchSearch::collect_candidates(const Entry& entry, std::size_t from, std::size_t to) {
@@ -120,7 +109,7 @@ void PatchSearch::collect_candidates(const Entry& entry, std::size_t from, std::
       if (tree_.is_leaf(id) || tree_.node(id).level >= own_level) {
         candidates_.push_back(id);
       } else {
-        push_children(id);
+        tree_.push_children(id, pending_);
       }
     }
   }
@@ -134,7 +123,7 @@ bool PatchSearch::report_leaves(const Entry& entry, std::size_t from, const Foun
       pending_.pop_back();
       if (!reaches(id, entry.window)) continue;
       if (!tree_.is_leaf(id)) {
-        push_children(id);
+        tree_.push_children(id, pending_);
       } else if (!found(entry.node, id)) {
         return false;
       }

@@ -48,7 +48,6 @@ class PatchSearch {
   void collect_candidates(const Entry& entry, std::size_t from, std::size_t to);
   bool report_leaves(const Entry& entry, std::size_t from, const Found& found);
   bool reaches(std::int32_t candidate, const Extent& window) const;
-  void push_children(std::int32_t id);
 
   const RefinementTree& tree_;
   std::int32_t level_ = 0;

@@ -5,10 +5,10 @@
 namespace asts {
 
 std::vector<std::int32_t> mark_closure(RefinementTree& tree, std::span<const std::int32_t> marks) {
-  std::vector<std::vector<std::int32_t>> by_level(static_cast<std::size_t>(tree.max_level()) + 1);
+  std::vector<std::vector<std::int32_t>> by_level(at(tree.max_level()) + 1);
   const auto mark = [&](std::int32_t leaf) {
     if (tree.is_marked(leaf)) return;
-    by_level[static_cast<std::size_t>(tree.node(leaf).level)].push_back(leaf);
+    by_level[at(tree.node(leaf).level)].push_back(leaf);
     tree.mark(leaf);
   };
   for (const std::int32_t leaf : marks) mark(leaf);

@@ -6,8 +6,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// Finds nodes by position: open addressing over the nodes found so far.
 class NodeTable {
  public:

@@ -5,7 +5,7 @@ namespace asts {
 ActiveRegion active_region(const Mesh& mesh) {
   ActiveRegion region{};
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
+    const auto a = at(axis);
     const int margin = (mesh.setting.degree[a] + 1) / 2;
     const int upper = mesh.setting.domain[a] - margin;
     if (upper < margin) {

@@ -12,7 +12,7 @@ struct ActiveRegion {
   bool empty = false;  ///< some X~ < 2 ceil(p/2)
 
   bool contains(Axis axis, HalfRank position) const {
-    return position >= lower[static_cast<std::size_t>(axis)] && position <= upper[static_cast<std::size_t>(axis)];
+    return position >= lower[at(axis)] && position <= upper[at(axis)];
   }
 };
 

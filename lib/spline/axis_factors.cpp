@@ -4,12 +4,6 @@
 
 namespace asts {
 
-namespace {
-
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
-}  // namespace
-
 std::vector<Rational> vector_coordinates(const Mesh& mesh, const TSplines& splines, Axis axis, std::int32_t vector) {
   std::vector<Rational> result;
   for (const std::int32_t rank : splines.vectors[at(axis)][vector]) result.push_back(mesh.coordinate(axis, rank));

@@ -6,12 +6,6 @@
 
 namespace asts {
 
-namespace {
-
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
-}  // namespace
-
 bool AxisOverlap::holds(const Brick& one, const Brick& other) {
   const std::int32_t a = std::min(one.profile[at(axis_)], other.profile[at(axis_)]);
   const std::int32_t b = std::max(one.profile[at(axis_)], other.profile[at(axis_)]);

@@ -18,8 +18,8 @@ struct CgalBox {
 
   static int dimension() { return kDimension; }
   ID id() const { return index; }
-  NT min_coord(int axis) const { return box.lower[static_cast<std::size_t>(axis)]; }
-  NT max_coord(int axis) const { return box.upper[static_cast<std::size_t>(axis)]; }
+  NT min_coord(int axis) const { return box.lower[at(axis)]; }
+  NT max_coord(int axis) const { return box.upper[at(axis)]; }
 };
 
 /// Below this many boxes CGAL compares all with all.

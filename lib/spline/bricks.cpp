@@ -10,8 +10,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// The next node on the line parallel to an axis, -1 behind the last one.
 std::vector<std::int32_t> next_on_line(const TSplines& splines, Axis axis) {
   std::vector<std::int32_t> next(at(splines.size()), -1);

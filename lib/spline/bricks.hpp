@@ -39,8 +39,7 @@ struct Bricks {
 
   std::int32_t node(const Brick& brick, const PerAxis<std::int32_t>& index) const;
   const AxisProfile& profile(const Brick& brick, Axis axis) const {
-    return profiles[static_cast<std::size_t>(axis)]
-                   [static_cast<std::size_t>(brick.profile[static_cast<std::size_t>(axis)])];
+    return profiles[at(axis)][at(brick.profile[at(axis)])];
   }
 };
 

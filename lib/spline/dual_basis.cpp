@@ -9,8 +9,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 FieldElement product(const PerAxis<FieldElement>& factors) {
   int n = 1;
   for (const FieldElement& factor : factors) n = std::lcm(n, factor.field()->n());

@@ -8,8 +8,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// The indices that show, along an axis, that two bricks fail to overlap, or that they meet.
 std::pair<std::int32_t, std::int32_t> telling_indices(const TSplines& splines, const AxisProfile& one,
                                                       const AxisProfile& other, Axis axis) {

@@ -4,12 +4,6 @@
 
 namespace asts {
 
-namespace {
-
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
-}  // namespace
-
 HalfRank half_rank(const Mesh& mesh, Axis axis, const Rational& coordinate) {
   const std::vector<Rational>& lines = mesh.coordinates[at(axis)];
   const auto place = std::lower_bound(lines.begin(), lines.end(), coordinate);

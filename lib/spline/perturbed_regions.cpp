@@ -11,8 +11,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// The bricks that reach each slice of an axis inside the active region, and whether they have its line as an entry.
 class Slices {
  public:

@@ -9,8 +9,6 @@ namespace asts {
 
 namespace {
 
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
-
 /// The local index vectors along one axis. The nodes of a line are taken in ascending order; consecutive entries of the
 /// global index set are gathered around them, (p+1)/2 on either side of each node, and the vectors are cut out.
 class LineVectors {
@@ -135,7 +133,7 @@ class LineVectors {
   }
 
   void cut_vectors() {
-    const auto reach = static_cast<std::size_t>(reach_);
+    const auto reach = at(reach_);
     for (const auto& [node, index] : members_) {
       if (index < reach || index + reach >= entries_.size()) {
         if (!splines_.missing) splines_.missing = TSplines::MissingVector{nodes_.positions[at(node)], axis_};

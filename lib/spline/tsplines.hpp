@@ -29,13 +29,13 @@ struct TSplines {
 
   std::int32_t size() const { return static_cast<std::int32_t>(nodes.size()); }
   std::span<const std::int32_t> index_vector(std::int32_t node, Axis axis) const {
-    const auto a = static_cast<std::size_t>(axis);
-    return vectors[a][vector_ids[static_cast<std::size_t>(node)][a]];
+    const auto a = at(axis);
+    return vectors[a][vector_ids[at(node)][a]];
   }
   /// supp B_v along an axis: from the first to the last entry of the index vector, closed.
   RankInterval support(std::int32_t node, Axis axis) const {
-    const auto a = static_cast<std::size_t>(axis);
-    const std::int32_t id = vector_ids[static_cast<std::size_t>(node)][a];
+    const auto a = at(axis);
+    const std::int32_t id = vector_ids[at(node)][a];
     return {vectors[a].front(id), vectors[a].back(id)};
   }
 };
