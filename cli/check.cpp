@@ -20,8 +20,10 @@ constexpr std::size_t kLongestMeshText = std::size_t{1} << 20;
 /// A point takes at least so many bytes of text, so that a case with too many of them need not be written to know.
 constexpr std::size_t kLeastPointText = 6;
 
-std::vector<const Property*> chosen_properties(const std::vector<std::string>& ids) {
+std::vector<const Property*> chosen_properties(const CheckOptions& options) {
+  const std::vector<std::string>& ids = options.properties;
   std::vector<const Property*> chosen;
+  if (ids.empty() && !options.claims.empty()) return chosen;
   for (const Property& property : all_properties()) {
     if (ids.empty() || std::find(ids.begin(), ids.end(), property.id) != ids.end()) chosen.push_back(&property);
   }
@@ -31,10 +33,32 @@ std::vector<const Property*> chosen_properties(const std::vector<std::string>& i
   return chosen;
 }
 
-/// The case as far as a mesh of its sequence, as text; empty when it is too long.
-std::string text_up_to(const Case& test_case, std::int64_t step) {
+std::vector<const Claim*> chosen_claims(const std::vector<std::string>& ids) {
+  std::vector<const Claim*> chosen;
+  for (const std::string& id : ids) {
+    const Claim* claim = find_claim(id);
+    if (claim == nullptr) throw InputError("no claim is called '" + id + "'");
+    if (std::find(chosen.begin(), chosen.end(), claim) == chosen.end()) chosen.push_back(claim);
+  }
+  return chosen;
+}
+
+/// The case as far as a mesh of its sequence.
+Case prefix_of(const Case& test_case, std::int64_t step) {
   Case prefix = test_case;
   if (!test_case.explicit_mesh) prefix.steps.resize(static_cast<std::size_t>(step));
+  return prefix;
+}
+
+/// A claim about meshes is decided for the mesh, one about sequences for the sequence up to it.
+Trial decide_claim(const Claim& claim, const Case& test_case, std::int64_t step, MeshUnderTest& mesh) {
+  if (claim.on_mesh != nullptr || claim.on_sequence == nullptr) return try_on_mesh(claim, mesh);
+  return try_on_sequence(claim, prefix_of(test_case, step));
+}
+
+/// The same as text; empty when it is too long.
+std::string text_up_to(const Case& test_case, std::int64_t step) {
+  const Case prefix = prefix_of(test_case, step);
   std::size_t points = 2 * prefix.elements.size();
   for (const Step& one : prefix.steps) points += one.marks.size();
   if (points > kLongestMeshText / kLeastPointText) return {};
@@ -45,7 +69,7 @@ std::string text_up_to(const Case& test_case, std::int64_t step) {
 class Checker {
  public:
   explicit Checker(const CheckOptions& options)
-      : options_(options), properties_(chosen_properties(options.properties)) {}
+      : options_(options), properties_(chosen_properties(options)), claims_(chosen_claims(options.claims)) {}
 
   void check_case(Input& input) {
     if (input.mesh) {
@@ -68,14 +92,16 @@ class Checker {
   std::string summary() const {
     std::string result = fmt::format("\n{:<20} {:>8} {:>9} {:>15} {:>10}\n", "property", "holds", "violated",
                                      "not-applicable", "undecided");
-    for (const Property* property : properties_) {
+    const auto add = [&](const char* id) {
       const auto count = [&](Outcome outcome) {
-        const auto found = tally_.find({property, outcome});
+        const auto found = tally_.find({id, outcome});
         return found == tally_.end() ? 0 : found->second;
       };
-      result += fmt::format("{:<20} {:>8} {:>9} {:>15} {:>10}\n", property->id, count(Outcome::holds),
-                            count(Outcome::violated), count(Outcome::not_applicable), count(Outcome::undecided));
-    }
+      result += fmt::format("{:<20} {:>8} {:>9} {:>15} {:>10}\n", id, count(Outcome::holds), count(Outcome::violated),
+                            count(Outcome::not_applicable), count(Outcome::undecided));
+    };
+    for (const Property* property : properties_) add(property->id);
+    for (const Claim* claim : claims_) add(claim->id);
     return result;
   }
 
@@ -102,12 +128,19 @@ class Checker {
     record.new_elements = mesh.new_elements();
     record.max_level = mesh.max_level();
     bool violated = false;
+    const auto count = [&](const char* id, Outcome outcome) {
+      ++tally_[{id, outcome}];
+      violated = violated || outcome == Outcome::violated;
+    };
     for (const Property* property : properties_) {
       stop_if_interrupted();
       record.entries.push_back({property, decide(*property, mesh)});
-      const Outcome outcome = record.entries.back().verdict.outcome;
-      ++tally_[{property, outcome}];
-      violated = violated || outcome == Outcome::violated;
+      count(property->id, record.entries.back().verdict.outcome);
+    }
+    for (const Claim* claim : claims_) {
+      stop_if_interrupted();
+      record.claims.push_back({claim, decide_claim(*claim, input.content, step, mesh)});
+      count(claim->id, record.claims.back().trial.verdict.outcome);
     }
     record.active_nodes = mesh.splines().size();
     if (violated && options_.format == Format::json) record.mesh_case = text_up_to(input.content, step);
@@ -116,7 +149,8 @@ class Checker {
 
   const CheckOptions& options_;
   std::vector<const Property*> properties_;
-  std::map<std::pair<const Property*, Outcome>, std::int64_t> tally_;
+  std::vector<const Claim*> claims_;
+  std::map<std::pair<std::string, Outcome>, std::int64_t> tally_;
 };
 
 }  // namespace

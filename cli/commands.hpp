@@ -14,8 +14,13 @@ enum class Format { text, json };
 struct CheckOptions {
   std::vector<std::string> cases;
   std::vector<std::string> properties;
+  std::vector<std::string> claims;
   bool final_only = false;
   std::uint64_t pair_budget = 0;  ///< 0: none
+  Format format = Format::text;
+};
+
+struct ClaimsOptions {
   Format format = Format::text;
 };
 
@@ -41,6 +46,7 @@ struct ValidateOptions {
 /// Each command writes its results to stdout and returns the exit code. Input errors are thrown as InputError before
 /// anything is written.
 int check(const CheckOptions& options);
+int claims(const ClaimsOptions& options);
 int refine(const RefineOptions& options);
 int generate(const GenerateOptions& options);
 int validate(const ValidateOptions& options);

@@ -55,6 +55,7 @@ class CommandLine {
     app_.set_version_flag("--version", "asts " ASTS_VERSION);
     app_.set_help_flag("--help,-h", "show this text");
     add_check();
+    add_claims();
     add_refine();
     add_generate();
     add_validate();
@@ -76,12 +77,20 @@ class CommandLine {
     command->add_option("CASE", check_.cases, "case files, or - for standard input")->required();
     command->add_option("--property", check_.properties, "only this property; may be given again")
         ->allow_extra_args(false);
+    command->add_option("--claim", check_.claims, "this claim of the paper (asts claims); may be given again")
+        ->allow_extra_args(false);
     command->add_flag("--final", check_.final_only, "only the last mesh of each case");
     command
         ->add_option("--budget", check_.pair_budget, "pairs of supports to look at for a property; beyond: undecided")
         ->check(CLI::PositiveNumber);
     add_format(*command, check_.format);
     command->callback([this] { chosen_ = [this] { return check(check_); }; });
+  }
+
+  void add_claims() {
+    CLI::App* command = app_.add_subcommand("claims", "list the paper's claims and whether they are refuted");
+    add_format(*command, claims_.format);
+    command->callback([this] { chosen_ = [this] { return claims(claims_); }; });
   }
 
   void add_refine() {
@@ -115,6 +124,7 @@ class CommandLine {
 
   CLI::App app_{"Decides statements about three-dimensional analysis-suitable T-splines, exactly.", "asts"};
   CheckOptions check_;
+  ClaimsOptions claims_;
   RefineOptions refine_;
   GenerateOptions generate_;
   ValidateOptions validate_;

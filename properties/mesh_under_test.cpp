@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lib/refine/admissibility.hpp"
+
 namespace asts {
 
 namespace {
@@ -30,6 +32,11 @@ std::optional<std::int32_t> MeshUnderTest::outside_class() const {
   const auto outside = std::find(nodes.begin(), nodes.end(), RefinementTree::kNone);
   if (outside == nodes.end()) return std::nullopt;
   return static_cast<std::int32_t>(outside - nodes.begin());
+}
+
+bool MeshUnderTest::admissible() {
+  if (!admissible_) admissible_ = !outside_class() && !find_inadmissible(*tree_);
+  return *admissible_;
 }
 
 std::vector<std::int32_t> MeshUnderTest::tree_elements() const {

@@ -26,6 +26,8 @@ class MeshUnderTest {
   const RefinementTree& tree() const { return *tree_; }
   /// An element that level-directed subdivisions of the initial mesh cannot make, if there is one.
   std::optional<std::int32_t> outside_class() const;
+  /// Definition 3.2. Decided once.
+  bool admissible();
   /// Nodes of the tree that are elements of the mesh or contain one: ids, ascending.
   std::vector<std::int32_t> tree_elements() const;
 
@@ -40,6 +42,7 @@ class MeshUnderTest {
   Mesh mesh_;
   const RefinementTree* tree_;
   std::unique_ptr<RecognisedTree> recognised_;
+  std::optional<bool> admissible_;
   std::optional<TSplines> splines_;
   std::optional<Bricks> bricks_;
 };

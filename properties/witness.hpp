@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -92,7 +93,19 @@ struct LambdaNotDeltaWitness {
   std::int64_t pairs;
 };
 
+/// A number, a list of numbers, a text or a node of a claim's witness.
+using ClaimValue = std::variant<std::string, std::int64_t, Rational, std::vector<Rational>, ExactPoint, ExactBox,
+                                ElementInfo, ActiveNodeInfo, FieldElement>;
+
+/// Any claim that is none of the five properties: what is wrong in words, and the numbers involved by name, in the
+/// order in which a reader needs them.
+struct ClaimWitness {
+  std::string kind;
+  std::string says;
+  std::vector<std::pair<std::string, ClaimValue>> values;
+};
+
 using Witness = std::variant<CoarserInPatchWitness, OutsideClassWitness, PatchNotNestedWitness, RegionsMeetWitness,
-                             NoPartialOverlapWitness, LambdaNotDeltaWitness>;
+                             NoPartialOverlapWitness, LambdaNotDeltaWitness, ClaimWitness>;
 
 }  // namespace asts

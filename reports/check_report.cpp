@@ -7,6 +7,20 @@
 
 namespace asts {
 
+namespace {
+
+/// What does not hold, for a person. `statement` is a property or a claim.
+template <class Statement>
+std::string failure_text(const Statement& statement, const Verdict& verdict) {
+  std::string result = fmt::format("  {}: {} ({})\n", outcome_name(verdict.outcome), statement.id, statement.source);
+  if (!verdict.reason.empty()) result += fmt::format("      {}\n", verdict.reason);
+  if (!verdict.witness) return result;
+  return result + fmt::format("      it should be that {}; but\n", statement.statement) +
+         witness_text(*verdict.witness);
+}
+
+}  // namespace
+
 std::string check_json(const CheckRecord& record) {
   nlohmann::ordered_json json{{"case", record.case_name},
                               {"step", record.step},
@@ -17,6 +31,11 @@ std::string check_json(const CheckRecord& record) {
   json["properties"] = nlohmann::ordered_json::object();
   for (const CheckRecord::Entry& entry : record.entries) {
     json["properties"][entry.property->id] = verdict_json(entry.verdict);
+  }
+  for (const CheckRecord::ClaimEntry& entry : record.claims) {
+    nlohmann::ordered_json verdict = verdict_json(entry.trial.verdict);
+    verdict["met"] = entry.trial.met;
+    json["claims"][entry.claim->id] = verdict;
   }
   if (!record.mesh_case.empty()) json["mesh"] = record.mesh_case;
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -30,19 +49,16 @@ std::string check_text(const CheckRecord& record) {
   std::string held;
   int held_count = 0;
   std::string rest;
-  for (const CheckRecord::Entry& entry : record.entries) {
-    if (entry.verdict.outcome == Outcome::holds) {
-      held += std::string(held.empty() ? "" : ", ") + entry.property->id;
+  const auto add = [&](const auto& statement, const Verdict& verdict) {
+    if (verdict.outcome == Outcome::holds) {
+      held += std::string(held.empty() ? "" : ", ") + statement.id;
       ++held_count;
-      continue;
+    } else {
+      rest += failure_text(statement, verdict);
     }
-    rest +=
-        fmt::format("  {}: {} ({})\n", outcome_name(entry.verdict.outcome), entry.property->id, entry.property->source);
-    if (!entry.verdict.reason.empty()) rest += fmt::format("      {}\n", entry.verdict.reason);
-    if (!entry.verdict.witness) continue;
-    rest += fmt::format("      it should be that {}; but\n", entry.property->statement);
-    rest += witness_text(*entry.verdict.witness);
-  }
+  };
+  for (const CheckRecord::Entry& entry : record.entries) add(*entry.property, entry.verdict);
+  for (const CheckRecord::ClaimEntry& entry : record.claims) add(*entry.claim, entry.trial.verdict);
   const bool all = rest.empty() && held_count > 1;
   if (held_count > 0) result += fmt::format(" {} {}", all ? "all" : held, held_count == 1 ? "holds" : "hold");
   result += "\n";

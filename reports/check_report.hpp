@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/refine/replay.hpp"
+#include "properties/claims/claim.hpp"
 #include "properties/properties.hpp"
 
 namespace asts {
@@ -23,6 +24,11 @@ struct CheckRecord {
     Verdict verdict;
   };
   std::vector<Entry> entries;
+  struct ClaimEntry {
+    const Claim* claim;
+    Trial trial;
+  };
+  std::vector<ClaimEntry> claims;
   std::string mesh_case;  ///< the case up to this mesh; empty when nothing is violated or it is too long to repeat
 };
 

@@ -50,7 +50,24 @@ Json perturbation(const PerturbationInfo& info) {
           {"out", active_node(info.out)}};
 }
 
+struct ValueToJson {
+  Json operator()(const std::string& text) const { return text; }
+  Json operator()(std::int64_t count) const { return count; }
+  Json operator()(const Rational& value) const { return number(value); }
+  Json operator()(const std::vector<Rational>& values) const { return numbers(values); }
+  Json operator()(const ExactPoint& value) const { return point(value); }
+  Json operator()(const ExactBox& value) const { return box(value); }
+  Json operator()(const ElementInfo& info) const { return element(info); }
+  Json operator()(const ActiveNodeInfo& info) const { return active_node(info); }
+  Json operator()(const FieldElement& value) const { return field_value(value); }
+};
+
 struct ToJson {
+  Json operator()(const ClaimWitness& w) const {
+    Json values = Json::object();
+    for (const auto& [name, value] : w.values) values[name] = std::visit(ValueToJson{}, value);
+    return {{"kind", w.kind}, {"says", w.says}, {"values", values}};
+  }
   Json operator()(const CoarserInPatchWitness& w) const {
     return {{"kind", "coarser-in-patch"},
             {"element", element(w.element)},

@@ -82,7 +82,28 @@ std::string perturbation_lines(const PerturbationInfo& info, const char* in, con
          node_lines(in, info.in) + node_lines(out, info.out);
 }
 
+/// One value of a claim's witness under its name, as whole lines.
+struct ValueLines {
+  const std::string& name;
+
+  std::string line(const std::string& value) const { return fmt::format("{}{} = {}\n", kIndent, name, value); }
+  std::string operator()(const std::string& value) const { return line(value); }
+  std::string operator()(std::int64_t count) const { return line(std::to_string(count)); }
+  std::string operator()(const Rational& value) const { return line(to_string(value)); }
+  std::string operator()(const std::vector<Rational>& values) const { return line(text(values)); }
+  std::string operator()(const ExactPoint& value) const { return line(text(value)); }
+  std::string operator()(const ExactBox& value) const { return line(text(value, '[', ']')); }
+  std::string operator()(const ElementInfo& info) const { return line(text(info)); }
+  std::string operator()(const ActiveNodeInfo& info) const { return node_lines(name.c_str(), info); }
+  std::string operator()(const FieldElement& value) const { return line(text(value)); }
+};
+
 struct ToText {
+  std::string operator()(const ClaimWitness& w) const {
+    std::string result = fmt::format("{}{}\n", kIndent, w.says);
+    for (const auto& [name, value] : w.values) result += std::visit(ValueLines{name}, value);
+    return result;
+  }
   std::string operator()(const CoarserInPatchWitness& w) const {
     return fmt::format(
         "{0}the element {1} was subdivided,\n"

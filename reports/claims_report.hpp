@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "properties/claims/claim.hpp"
+
+namespace asts {
+
+/// What `asts claims` says about one claim: one line of JSON, or some lines for a person; with line ends.
+std::string claim_json(const Claim& claim);
+std::string claim_text(const Claim& claim);
+
+}  // namespace asts
