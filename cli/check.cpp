@@ -5,6 +5,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
+#include "cli/statements.hpp"
 #include "cli/terminal.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
@@ -20,27 +21,11 @@ constexpr std::size_t kLongestMeshText = std::size_t{1} << 20;
 /// A point takes at least so many bytes of text, so that a case with too many of them need not be written to know.
 constexpr std::size_t kLeastPointText = 6;
 
-std::vector<const Property*> chosen_properties(const CheckOptions& options) {
-  const std::vector<std::string>& ids = options.properties;
-  std::vector<const Property*> chosen;
-  if (ids.empty() && !options.claims.empty()) return chosen;
-  for (const Property& property : all_properties()) {
-    if (ids.empty() || std::find(ids.begin(), ids.end(), property.id) != ids.end()) chosen.push_back(&property);
-  }
-  for (const std::string& id : ids) {
-    if (find_property(id) == nullptr) throw InputError("no property is called '" + id + "'");
-  }
-  return chosen;
-}
-
-std::vector<const Claim*> chosen_claims(const std::vector<std::string>& ids) {
-  std::vector<const Claim*> chosen;
-  for (const std::string& id : ids) {
-    const Claim* claim = find_claim(id);
-    if (claim == nullptr) throw InputError("no claim is called '" + id + "'");
-    if (std::find(chosen.begin(), chosen.end(), claim) == chosen.end()) chosen.push_back(claim);
-  }
-  return chosen;
+std::vector<const Property*> properties_to_decide(const CheckOptions& options) {
+  if (!options.properties.empty() || !options.claims.empty()) return chosen_properties(options.properties);
+  std::vector<const Property*> all;
+  for (const Property& property : all_properties()) all.push_back(&property);
+  return all;
 }
 
 /// The case as far as a mesh of its sequence.
@@ -69,7 +54,7 @@ std::string text_up_to(const Case& test_case, std::int64_t step) {
 class Checker {
  public:
   explicit Checker(const CheckOptions& options)
-      : options_(options), properties_(chosen_properties(options)), claims_(chosen_claims(options.claims)) {}
+      : options_(options), properties_(properties_to_decide(options)), claims_(chosen_claims(options.claims)) {}
 
   void check_case(Input& input) {
     if (input.mesh) {

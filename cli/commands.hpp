@@ -30,12 +30,26 @@ struct RefineOptions {
   Format format = Format::text;
 };
 
-struct GenerateOptions {
-  std::string workload;
+struct SettingOptions {
   std::vector<int> degree{3, 3, 3};
   int grading = 2;
-  std::vector<int> domain{16, 16, 16};
+  std::vector<int> domain;
+};
+
+struct GenerateOptions {
+  std::string workload;
+  SettingOptions setting{.domain = {16, 16, 16}};
   std::int64_t elements = 1000;
+};
+
+struct EnumerateOptions {
+  SettingOptions setting{.domain = {4, 4, 5}};
+  int max_subdivisions = 0;
+  bool admissible = false;
+  bool no_symmetry = false;
+  std::vector<std::string> claims;
+  std::vector<std::string> properties;
+  Format format = Format::text;
 };
 
 struct ValidateOptions {
@@ -47,6 +61,7 @@ struct ValidateOptions {
 /// anything is written.
 int check(const CheckOptions& options);
 int claims(const ClaimsOptions& options);
+int enumerate(const EnumerateOptions& options);
 int refine(const RefineOptions& options);
 int generate(const GenerateOptions& options);
 int validate(const ValidateOptions& options);

@@ -37,6 +37,14 @@ void add_format(CLI::App& command, Format& format) {
       ->option_text("text|json");
 }
 
+void add_setting(CLI::App& command, SettingOptions& setting) {
+  command.add_option("--degree", setting.degree, "p, such as 3,3,3")->delimiter(',')->allow_extra_args(false);
+  command.add_option("--grading", setting.grading, "m");
+  command.add_option("--domain", setting.domain, "unit cubes along each axis, such as 16,16,16")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
 /// CLI11's own words for a wrong first argument are "a subcommand is required".
 std::string reason_of(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   if (argc < 2) return "no command is given: asts --help lists them";
@@ -56,6 +64,7 @@ class CommandLine {
     app_.set_help_flag("--help,-h", "show this text");
     add_check();
     add_claims();
+    add_enumerate();
     add_refine();
     add_generate();
     add_validate();
@@ -93,6 +102,22 @@ class CommandLine {
     command->callback([this] { chosen_ = [this] { return claims(claims_); }; });
   }
 
+  void add_enumerate() {
+    CLI::App* command = app_.add_subcommand("enumerate", "decide claims for all meshes that few subdivisions make");
+    add_setting(*command, enumerate_.setting);
+    command->add_option("--max-subdivisions", enumerate_.max_subdivisions, "subdivisions of single elements, at most")
+        ->required();
+    command->add_option("--claim", enumerate_.claims, "only this claim (asts claims); may be given again")
+        ->allow_extra_args(false);
+    command->add_option("--property", enumerate_.properties, "this property (asts check); may be given again")
+        ->allow_extra_args(false);
+    command->add_flag("--admissible", enumerate_.admissible, "only meshes that admissible subdivisions make");
+    command->add_flag("--no-symmetry", enumerate_.no_symmetry,
+                      "try every mesh, not one for all its reflections: the same result, slower");
+    add_format(*command, enumerate_.format);
+    command->callback([this] { chosen_ = [this] { return enumerate(enumerate_); }; });
+  }
+
   void add_refine() {
     CLI::App* command = app_.add_subcommand("refine", "replay a case and count elements step by step");
     command->add_option("CASE", refine_.case_file, "a case file, or - for standard input")->required();
@@ -106,11 +131,7 @@ class CommandLine {
     command->add_option("WORKLOAD", generate_.workload, "corner or sphere")
         ->required()
         ->check(CLI::IsMember({"corner", "sphere"}));
-    command->add_option("--degree", generate_.degree, "p, such as 3,3,3")->delimiter(',')->allow_extra_args(false);
-    command->add_option("--grading", generate_.grading, "m");
-    command->add_option("--domain", generate_.domain, "unit cubes along each axis, such as 16,16,16")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_setting(*command, generate_.setting);
     command->add_option("--elements", generate_.elements, "stop at the first mesh with so many elements");
     command->callback([this] { chosen_ = [this] { return generate(generate_); }; });
   }
@@ -125,6 +146,7 @@ class CommandLine {
   CLI::App app_{"Decides statements about three-dimensional analysis-suitable T-splines, exactly.", "asts"};
   CheckOptions check_;
   ClaimsOptions claims_;
+  EnumerateOptions enumerate_;
   RefineOptions refine_;
   GenerateOptions generate_;
   ValidateOptions validate_;

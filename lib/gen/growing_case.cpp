@@ -8,15 +8,6 @@ namespace asts {
 
 namespace {
 
-Point lower_corner(const RefinementTree& tree, std::int32_t leaf) {
-  Point point;
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    const AxisGrid& grid = tree.grid(axis);
-    point[at(axis)] = CompactRational(grid.coordinate(grid.line_of_rank(tree.extent(leaf, axis).lower)));
-  }
-  return point;
-}
-
 std::int64_t cubes_of(const Setting& setting) {
   std::int64_t cubes = 1;
   for (const int side : setting.domain) cubes *= side;
@@ -67,6 +58,15 @@ bool GrowingCase::add(Step::Kind kind, std::span<const std::int32_t> leaves) {
   case_.steps.push_back(std::move(step));
   tree_ = std::move(next);
   return true;
+}
+
+Point lower_corner(const RefinementTree& tree, std::int32_t element) {
+  Point point;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const AxisGrid& grid = tree.grid(axis);
+    point[at(axis)] = CompactRational(grid.coordinate(grid.line_of_rank(tree.extent(element, axis).lower)));
+  }
+  return point;
 }
 
 std::vector<std::int32_t> leaves_of(const RefinementTree& tree) {

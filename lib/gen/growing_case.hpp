@@ -35,6 +35,9 @@ class GrowingCase {
   std::int64_t max_elements_;
 };
 
+/// A point that names an element of the tree. REQUIRES: ranks are up to date.
+Point lower_corner(const RefinementTree& tree, std::int32_t element);
+
 /// The tree's leaves, ascending.
 std::vector<std::int32_t> leaves_of(const RefinementTree& tree);
 

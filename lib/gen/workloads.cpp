@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "lib/gen/growing_case.hpp"
 #include "lib/mesh/refinement_tree.hpp"
 #include "lib/refine/refinement.hpp"
 
@@ -62,15 +63,6 @@ std::vector<std::int32_t> leaves_on_sphere(const RefinementTree& tree) {
     tree.push_children(id, pending);
   }
   return leaves;
-}
-
-Point lower_corner(const RefinementTree& tree, std::int32_t id) {
-  Point point;
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    const AxisGrid& grid = tree.grid(axis);
-    point[at(axis)] = CompactRational(grid.coordinate(grid.line_of_rank(tree.extent(id, axis).lower)));
-  }
-  return point;
 }
 
 }  // namespace
