@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "lib/gen/growing_case.hpp"
-#include "lib/gen/random_case.hpp"
+#include "lib/gen/biased_cases.hpp"
 #include "lib/refine/refinement.hpp"
 
 namespace asts {
@@ -21,23 +20,6 @@ void scatter(Draw& draw, GrowingCase& growing, int steps) {
     leaves.resize(std::min(leaves.size(), draw.index(3) + 1));
     if (!growing.add(Step::Kind::subdivide, leaves)) return;
   }
-}
-
-/// A random leaf below a node of the tree.
-std::int32_t leaf_below(Draw& draw, const RefinementTree& tree, std::int32_t id) {
-  while (!tree.is_leaf(id)) id = tree.node(id).first_child + draw.between(0, tree.child_count(id) - 1);
-  return id;
-}
-
-/// A unit cube in the middle part of the domain, with sides no farther than one cube from the active region.
-PerAxis<std::int32_t> middle_cube(Draw& draw, const Setting& setting) {
-  PerAxis<std::int32_t> cube{};
-  for (std::size_t axis = 0; axis < kDimension; ++axis) {
-    const int last = setting.domain[axis] - 1;
-    const int frame = std::min((setting.degree[axis] - 1) / 2, last / 2);
-    cube[axis] = draw.between(frame, last - frame);
-  }
-  return cube;
 }
 
 /// Mostly below the element that was subdivided last, so that the levels jump.
@@ -107,10 +89,29 @@ void subdivide_frame(Draw& draw, GrowingCase& growing, int steps) {
 
 }  // namespace
 
-RandomCase random_bare_case(Draw& draw, const CaseLimits& limits) {
-  const Bias bias = draw.choose(std::vector{Bias::bare_scattered, Bias::bare_stacked, Bias::bare_one_left_out,
-                                            Bias::bare_touching, Bias::bare_in_frame});
-  GrowingCase growing(random_setting(draw, limits), limits.max_elements);
+std::int32_t leaf_below(Draw& draw, const RefinementTree& tree, std::int32_t id) {
+  while (!tree.is_leaf(id)) id = tree.node(id).first_child + draw.between(0, tree.child_count(id) - 1);
+  return id;
+}
+
+PerAxis<std::int32_t> middle_cube(Draw& draw, const Setting& setting) {
+  PerAxis<std::int32_t> cube{};
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    const int last = setting.domain[axis] - 1;
+    const int frame = std::min((setting.degree[axis] - 1) / 2, last / 2);
+    cube[axis] = draw.between(frame, last - frame);
+  }
+  return cube;
+}
+
+void subdivide_at_least_once(GrowingCase& growing) {
+  const auto bare = [](const Step& step) { return step.kind == Step::Kind::subdivide; };
+  const auto& done = growing.content().steps;
+  if (std::none_of(done.begin(), done.end(), bare)) subdivide_one(growing, leaves_of(growing.tree()).front());
+}
+
+RandomCase bare_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias) {
+  GrowingCase growing(setting, limits.max_elements);
   const int steps = draw.between(1, limits.max_steps);
   switch (bias) {
     case Bias::bare_stacked:
@@ -128,11 +129,14 @@ RandomCase random_bare_case(Draw& draw, const CaseLimits& limits) {
     default:
       scatter(draw, growing, steps);
   }
-  // a case without a subdivision says nothing: the initial mesh's first cube is subdivided then
-  const auto bare = [](const Step& step) { return step.kind == Step::Kind::subdivide; };
-  const auto& done = growing.content().steps;
-  if (std::none_of(done.begin(), done.end(), bare)) subdivide_one(growing, leaves_of(growing.tree()).front());
+  subdivide_at_least_once(growing);
   return {growing.content(), bias};
+}
+
+RandomCase random_bare_case(Draw& draw, const CaseLimits& limits) {
+  const Bias bias = draw.choose(std::vector{Bias::bare_scattered, Bias::bare_stacked, Bias::bare_one_left_out,
+                                            Bias::bare_touching, Bias::bare_in_frame});
+  return bare_case_in(draw, random_setting(draw, limits), limits, bias);
 }
 
 }  // namespace asts

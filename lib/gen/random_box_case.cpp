@@ -1,8 +1,7 @@
 #include <algorithm>
 
-#include "lib/gen/growing_case.hpp"
+#include "lib/gen/biased_cases.hpp"
 #include "lib/gen/random_boxes.hpp"
-#include "lib/gen/random_case.hpp"
 #include "lib/mesh/mesh.hpp"
 #include "lib/refine/replay.hpp"
 
@@ -115,9 +114,8 @@ void operate(Bias bias, const Work& work) {
   }
 }
 
-Case written_out(Draw& draw, const CaseLimits& limits) {
-  const Case steps =
-      draw.one_in(2) ? random_admissible_case(draw, limits).content : random_bare_case(draw, limits).content;
+/// The last mesh of a case as boxes.
+Case written_out(Draw& draw, const Case& steps) {
   Replay replay(steps);
   while (!replay.done()) replay.advance();
   const Mesh mesh = mesh_of(replay.tree());
@@ -133,15 +131,7 @@ Setting planar_setting(Draw& draw, const CaseLimits& limits, std::size_t axis) {
   return setting;
 }
 
-}  // namespace
-
-RandomCase random_box_case(Draw& draw, const CaseLimits& limits) {
-  const Bias bias = draw.choose(std::vector{Bias::boxes_cut, Bias::boxes_merged, Bias::boxes_frame,
-                                            Bias::boxes_pinwheel, Bias::boxes_planar, Bias::boxes_written_out});
-  if (bias == Bias::boxes_written_out) return {written_out(draw, limits), bias};
-  const std::size_t extruded = draw.index(kDimension);
-  const Setting setting =
-      bias == Bias::boxes_planar ? planar_setting(draw, limits, extruded) : random_setting(draw, limits);
+Case worked_on(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias, std::size_t extruded) {
   BoxTiling tiling(setting, draw, bias != Bias::boxes_planar && draw.one_in(3));
   const Work work{draw, setting, tiling, extruded};
   for (int operations = draw.between(1, limits.max_steps); operations > 0; --operations) {
@@ -151,7 +141,40 @@ RandomCase random_box_case(Draw& draw, const CaseLimits& limits) {
     tiling = before;
     break;
   }
-  return {explicit_case(draw, setting, tiling.boxes()), bias};
+  return explicit_case(draw, setting, tiling.boxes());
+}
+
+/// An axis along which the active region is as thin as it gets, if there is one.
+std::size_t thin_axis(Draw& draw, const Setting& setting) {
+  std::vector<std::size_t> thin;
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    if (setting.domain[axis] == setting.degree[axis] + 1) thin.push_back(axis);
+  }
+  return thin.empty() ? draw.index(kDimension) : draw.choose(thin);
+}
+
+}  // namespace
+
+RandomCase random_box_case(Draw& draw, const CaseLimits& limits) {
+  const Bias bias = draw.choose(std::vector{Bias::boxes_cut, Bias::boxes_merged, Bias::boxes_frame,
+                                            Bias::boxes_pinwheel, Bias::boxes_planar, Bias::boxes_written_out});
+  if (bias == Bias::boxes_written_out) {
+    const RandomCase steps = draw.one_in(2) ? random_admissible_case(draw, limits) : random_bare_case(draw, limits);
+    return {written_out(draw, steps.content), bias};
+  }
+  const std::size_t extruded = draw.index(kDimension);
+  const Setting setting =
+      bias == Bias::boxes_planar ? planar_setting(draw, limits, extruded) : random_setting(draw, limits);
+  return {worked_on(draw, setting, limits, bias, extruded), bias};
+}
+
+RandomCase box_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias) {
+  if (bias != Bias::boxes_written_out) {
+    return {worked_on(draw, setting, limits, bias, thin_axis(draw, setting)), bias};
+  }
+  const bool admissible = draw.one_in(2);
+  const Bias inner = admissible ? Bias::marks_clustered : draw.one_in(2) ? Bias::bare_scattered : Bias::bare_stacked;
+  return {written_out(draw, random_case_in(draw, setting, limits, inner).content), bias};
 }
 
 }  // namespace asts

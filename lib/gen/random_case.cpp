@@ -4,67 +4,29 @@
 #include <array>
 
 #include "lib/exact/errors.hpp"
-#include "lib/gen/growing_case.hpp"
+#include "lib/gen/biased_cases.hpp"
 
 namespace asts {
 
 namespace {
 
-constexpr std::array kBiases{Bias::marks_anywhere, Bias::marks_clustered, Bias::marks_corner,      Bias::marks_deep,
-                             Bias::bare_scattered, Bias::bare_stacked,    Bias::bare_one_left_out, Bias::bare_touching,
-                             Bias::bare_in_frame,  Bias::boxes_cut,       Bias::boxes_merged,      Bias::boxes_frame,
-                             Bias::boxes_pinwheel, Bias::boxes_planar,    Bias::boxes_written_out};
+constexpr std::array kBiases{
+    Bias::marks_anywhere, Bias::marks_clustered, Bias::marks_corner,       Bias::marks_deep,
+    Bias::bare_scattered, Bias::bare_stacked,    Bias::bare_one_left_out,  Bias::bare_touching,
+    Bias::bare_in_frame,  Bias::boxes_cut,       Bias::boxes_merged,       Bias::boxes_frame,
+    Bias::boxes_pinwheel, Bias::boxes_planar,    Bias::boxes_written_out,  Bias::marks_edge,
+    Bias::marks_face,     Bias::marks_uniform,   Bias::bare_smaller_patch, Bias::bare_interface,
+    Bias::bare_holes,     Bias::region_point,    Bias::region_segment,     Bias::region_plane};
 
-constexpr std::array kNames{"marks-anywhere", "marks-clustered", "marks-corner",      "marks-deep",
-                            "bare-scattered", "bare-stacked",    "bare-one-left-out", "bare-touching",
-                            "bare-in-frame",  "boxes-cut",       "boxes-merged",      "boxes-frame",
-                            "boxes-pinwheel", "boxes-planar",    "boxes-written-out"};
+constexpr std::array kNames{
+    "marks-anywhere",     "marks-clustered", "marks-corner",      "marks-deep",   "bare-scattered", "bare-stacked",
+    "bare-one-left-out",  "bare-touching",   "bare-in-frame",     "boxes-cut",    "boxes-merged",   "boxes-frame",
+    "boxes-pinwheel",     "boxes-planar",    "boxes-written-out", "marks-edge",   "marks-face",     "marks-uniform",
+    "bare-smaller-patch", "bare-interface",  "bare-holes",        "region-point", "region-segment", "region-plane"};
 static_assert(kNames.size() == kBiases.size());
 
-using Leaves = std::vector<std::int32_t>;
-
-void make_distinct(Leaves& leaves) {
-  std::sort(leaves.begin(), leaves.end());
-  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
-}
-
-Leaves anywhere(Draw& draw, const RefinementTree& tree) {
-  Leaves leaves;
-  for (int count = draw.between(1, 4); count > 0; --count) {
-    leaves.push_back(tree.leaf_at(random_point(draw, tree.setting())));
-  }
-  return leaves;
-}
-
-/// Leaves at points less than one unit from the centre along each axis.
-Leaves near(Draw& draw, const RefinementTree& tree, const Point& centre) {
-  Leaves leaves;
-  for (int count = draw.between(1, 5); count > 0; --count) {
-    Point point;
-    for (std::size_t axis = 0; axis < kDimension; ++axis) {
-      const Rational moved = centre[axis].value() + Rational(draw.between(-8, 8)) / 9;
-      point[axis] = CompactRational(std::clamp(moved, Rational(0), Rational(tree.setting().domain[axis])));
-    }
-    leaves.push_back(tree.leaf_at(point));
-  }
-  return leaves;
-}
-
-std::int32_t deepest(Draw& draw, const RefinementTree& tree) {
-  Leaves deep;
-  for (const std::int32_t leaf : leaves_of(tree)) {
-    if (tree.node(leaf).level == tree.max_level()) deep.push_back(leaf);
-  }
-  return draw.choose(deep);
-}
-
-Point corner(Draw& draw, const Setting& setting) {
-  Point point;
-  for (std::size_t axis = 0; axis < kDimension; ++axis) {
-    point[axis] = CompactRational(draw.one_in(2) ? 0 : setting.domain[axis]);
-  }
-  return point;
-}
+constexpr std::size_t kPlainBiases = 15;
+static_assert(kBiases[kPlainBiases] == Bias::marks_edge);
 
 }  // namespace
 
@@ -75,32 +37,24 @@ const char* bias_name(Bias bias) {
 }
 
 std::span<const Bias> all_biases() { return kBiases; }
+std::span<const Bias> plain_biases() { return all_biases().first(kPlainBiases); }
+std::span<const Bias> trouble_biases() { return all_biases().subspan(kPlainBiases); }
 
-RandomCase random_admissible_case(Draw& draw, const CaseLimits& limits) {
-  const Bias bias =
-      draw.choose(std::vector{Bias::marks_anywhere, Bias::marks_clustered, Bias::marks_corner, Bias::marks_deep});
-  const Setting setting = random_setting(draw, limits);
-  const Point centre = bias == Bias::marks_corner ? corner(draw, setting) : random_point(draw, setting);
-  GrowingCase growing(setting, limits.max_elements);
-  for (int steps = draw.between(1, limits.max_steps); steps > 0; --steps) {
-    Leaves marks;
-    switch (bias) {
-      case Bias::marks_clustered:
-        marks = near(draw, growing.tree(), centre);
-        break;
-      case Bias::marks_corner:
-        marks = {growing.tree().leaf_at(centre)};
-        break;
-      case Bias::marks_deep:
-        marks = {deepest(draw, growing.tree())};
-        break;
-      default:
-        marks = anywhere(draw, growing.tree());
-    }
-    make_distinct(marks);
-    if (!growing.add(Step::Kind::refine, marks)) break;
-  }
-  return {growing.content(), bias};
+Setting setting_for(Draw& draw, const CaseLimits& limits, Bias bias) {
+  return bias < Bias::marks_edge && bias != Bias::boxes_planar ? random_setting(draw, limits)
+                                                               : trouble_setting(draw, limits, bias);
+}
+
+RandomCase random_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias) {
+  if (bias <= Bias::marks_deep) return admissible_case_in(draw, setting, limits, bias);
+  if (bias <= Bias::bare_in_frame) return bare_case_in(draw, setting, limits, bias);
+  if (bias <= Bias::boxes_written_out) return box_case_in(draw, setting, limits, bias);
+  return trouble_case_in(draw, setting, limits, bias);
+}
+
+RandomCase random_trouble_case(Draw& draw, const CaseLimits& limits) {
+  const Bias bias = trouble_biases()[draw.index(trouble_biases().size())];
+  return random_case_in(draw, setting_for(draw, limits, bias), limits, bias);
 }
 
 }  // namespace asts

@@ -5,6 +5,7 @@
 
 #include "lib/gen/draw.hpp"
 #include "lib/mesh/case.hpp"
+#include "lib/mesh/setting.hpp"
 
 namespace asts {
 
@@ -38,13 +39,26 @@ enum class Bias {
   boxes_pinwheel,     ///< five boxes that no cut through separates
   boxes_planar,       ///< cuts of a planar mesh, extruded along one axis
   boxes_written_out,  ///< a bare or admissible case's last mesh as boxes in random order
+  // trouble: drawn by random_trouble_case only
+  marks_edge,          ///< admissible: elements along one edge of the domain
+  marks_face,          ///< admissible: elements along one face of the domain
+  marks_uniform,       ///< admissible: all elements, again and again
+  bare_smaller_patch,  ///< closures with an environment that reaches one element less far
+  bare_interface,      ///< a column of elements whose levels fall with the distance from one of them, with gaps, on an
+                       ///< axis so long that supports of nodes above and below have exactly one plane in common
+  bare_holes,          ///< every element subdivided but for few large holes
+  region_point,        ///< the active region is a point; steps of all kinds
+  region_segment,      ///< the active region is a segment
+  region_plane,        ///< the active region is a rectangle
 };
 
-/// "marks-anywhere", ..., "boxes-written-out".
+/// "marks-anywhere", ..., "region-plane".
 const char* bias_name(Bias bias);
 
-/// All biases, in the order above.
+/// All biases, in the order above: first those of the three generators below, then those of trouble.
 std::span<const Bias> all_biases();
+std::span<const Bias> plain_biases();
+std::span<const Bias> trouble_biases();
 
 struct RandomCase {
   Case content;
@@ -60,5 +74,16 @@ struct RandomCase {
 RandomCase random_admissible_case(Draw& draw, const CaseLimits& limits);
 RandomCase random_bare_case(Draw& draw, const CaseLimits& limits);
 RandomCase random_box_case(Draw& draw, const CaseLimits& limits);
+
+/// A case with one of the trouble biases. Laws (1) and (2) hold for it, and every such bias occurs, but: a region_*
+/// bias shortens axes to p+1, and bare_interface has up to p+2 cubes along two axes and up to 2p+3 along the third, as
+/// far as `max_cubes` allows more than (p+1)^2 (2p+2) of them. The only steps of marks_* are `refine`, those of bare_*
+/// `subdivide`; region_* has both.
+RandomCase random_trouble_case(Draw& draw, const CaseLimits& limits);
+
+/// The two halves of all the generators, for callers that choose the bias: first the setting, then a case in it.
+/// Law (5): the case has the setting, and the bias.
+Setting setting_for(Draw& draw, const CaseLimits& limits, Bias bias);
+RandomCase random_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias);
 
 }  // namespace asts

@@ -1,0 +1,61 @@
+#include <algorithm>
+
+#include "lib/gen/biased_cases.hpp"
+
+namespace asts {
+
+namespace {
+
+/// On how many axes a bias makes the active region a point.
+std::size_t thin_axes(Bias bias) {
+  switch (bias) {
+    case Bias::region_point:
+      return 3;
+    case Bias::region_segment:
+      return 2;
+    case Bias::region_plane:
+    case Bias::boxes_planar:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
+/// The region is [(p+1)/2, length - (p+1)/2]: one coordinate when the length is p+1. On the other axes it is longer.
+void make_thin(Draw& draw, Setting& setting, std::size_t count) {
+  std::vector<std::size_t> axes{0, 1, 2};
+  draw.shuffle(axes);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const int least = setting.degree[axes[i]] + 1;
+    int& length = setting.domain[axes[i]];
+    length = i < count ? least : std::max(length, least + 1);
+  }
+}
+
+/// Supports of nodes at the ends of the region reach (p+1)/2 cubes from them: they touch where the region is p+1 long.
+void stretch_for_interface(Draw& draw, const CaseLimits& limits, Setting& setting) {
+  const std::size_t along = draw.index(kDimension);
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    setting.domain[axis] = setting.degree[axis] + 1;
+  }
+  setting.domain[along] = 2 * setting.degree[along] + draw.between(1, 3);
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    const std::int64_t cubes = std::int64_t{setting.domain[0]} * setting.domain[1] * setting.domain[2];
+    const std::int64_t with_one_more = cubes / setting.domain[axis] * (setting.domain[axis] + 1);
+    if (axis != along && (with_one_more <= limits.max_cubes || draw.one_in(2))) ++setting.domain[axis];
+  }
+}
+
+}  // namespace
+
+Setting trouble_setting(Draw& draw, const CaseLimits& limits, Bias bias) {
+  Setting setting = random_setting(draw, limits);
+  if (bias == Bias::bare_interface) {
+    stretch_for_interface(draw, limits, setting);
+  } else if (thin_axes(bias) > 0) {
+    make_thin(draw, setting, thin_axes(bias));
+  }
+  return setting;
+}
+
+}  // namespace asts
