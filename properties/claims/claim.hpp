@@ -69,6 +69,10 @@ struct Claim {
   /// what one trial costs.
   std::int64_t max_elements = 250;
   int stride = 1;
+
+  /// Whether `on_mesh` gives a mesh and its reflections along the axes the same outcome and the same `met`, so that one
+  /// of them can be tried for all. Not so where random sets are tried, or where counting ends with the first violation.
+  bool reflects = false;
 };
 
 /// All claims in the order of the ledger, a repaired form behind its original.

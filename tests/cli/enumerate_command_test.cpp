@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "lib/mesh/case_file.hpp"
+#include "properties/claims/claim.hpp"
 #include "properties/properties.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/reference/decide.hpp"
@@ -131,22 +132,50 @@ TEST(EnumerateCommand, AdmissibleMeshesAreThoseThatHoldAdmissible) {
   }
 }
 
-// All claims that there are, and the properties: one mesh for all its reflections gives the same bytes as every mesh.
+/// Properties, and claims of which one mesh is tried for all its reflections.
+Names with_reflecting_statements(const Names& scope) {
+  Names arguments = with_properties(scope);
+  for (const Claim& claim : all_claims()) {
+    if (claim.reflects) arguments.insert(arguments.end(), {"--claim", claim.id});
+  }
+  return arguments;
+}
+
+// One mesh for all its reflections gives the same bytes as every mesh.
 TEST(EnumerateCommand, SymmetryDoesNotChangeTheResult) {
-  const Names scopes[] = {{"--domain", "4,4,5", "--max-subdivisions", "1"},
+  const Names scopes[] = {{"--domain", "4,4,5", "--max-subdivisions", "2"},
                           {"--domain", "4,5,4", "--grading", "3", "--max-subdivisions", "1"},
-                          {"--domain", "4,4,6", "--max-subdivisions", "1", "--admissible"},
+                          {"--domain", "4,4,6", "--max-subdivisions", "2", "--admissible"},
                           {"--domain", "1,2,2", "--max-subdivisions", "3"}};
   for (const Names& scope : scopes) {
-    for (Names arguments : {with_properties(scope), Names{"enumerate", "--format", "json"}}) {
-      if (arguments.size() == 3) arguments.insert(arguments.end(), scope.begin(), scope.end());
-      const Outcome with = run(arguments);
-      arguments.emplace_back("--no-symmetry");
-      const Outcome without = run(arguments);
-      EXPECT_EQ(with.out, without.out) << ::testing::PrintToString(scope);
-      EXPECT_EQ(with.exit_code, without.exit_code);
-    }
+    Names arguments = with_reflecting_statements(scope);
+    const Outcome with = run(arguments);
+    arguments.emplace_back("--no-symmetry");
+    const Outcome without = run(arguments);
+    EXPECT_EQ(with.out, without.out) << ::testing::PrintToString(scope);
+    EXPECT_EQ(with.exit_code, without.exit_code);
   }
+}
+
+// Without --claim and --property all claims about one mesh are tried; the others cannot be asked for.
+TEST(EnumerateCommand, TriesAllClaimsAboutOneMesh) {
+  Names ids;
+  for (const Claim& claim : all_claims()) {
+    if (claim.on_mesh != nullptr) {
+      ids.emplace_back(claim.id);
+      continue;
+    }
+    const Outcome outcome = run({"enumerate", "--max-subdivisions", "0", "--claim", claim.id});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err, std::string("asts: claim '") + claim.id + "' is not about one mesh\n");
+  }
+  Names tried;
+  for (const Json& record : records_of(run({"enumerate", "--max-subdivisions", "0", "--format", "json"}).out)) {
+    EXPECT_EQ(record["meshes"], 1);
+    EXPECT_TRUE(record["met"].is_number());
+    tried.push_back(record["claim"]);
+  }
+  EXPECT_EQ(tried, ids);
 }
 
 TEST(EnumerateCommand, ExitCodesSayWhatWasFound) {
@@ -177,8 +206,10 @@ TEST(EnumerateCommand, ShowsATableAndTheSmallestCase) {
 TEST(EnumerateCommand, RejectsWhatItCannotDo) {
   const std::pair<Names, std::string> faults[] = {
       {{"enumerate"}, "asts: --max-subdivisions is required"},
-      {{"enumerate", "--max-subdivisions", "-1"}, "asts: the number of subdivisions is negative"},
-      {{"enumerate", "--max-subdivisions", "99"}, "asts: so many subdivisions cannot be enumerated"},
+      {{"enumerate", "--property", "admissible", "--max-subdivisions", "-1"},
+       "asts: the number of subdivisions is negative"},
+      {{"enumerate", "--property", "admissible", "--max-subdivisions", "99"},
+       "asts: so many subdivisions cannot be enumerated"},
       {{"enumerate", "--max-subdivisions", "1", "--domain", "4,4"}, "asts: --domain takes three numbers"},
       {{"enumerate", "--max-subdivisions", "1", "--degree", "3,4,3"}, "asts: the degree '4' is even"},
       {{"enumerate", "--max-subdivisions", "1", "--grading", "1"}, "asts: the grading '1' is below 2"},

@@ -100,9 +100,26 @@ TEST(Readme, ShowsACase) {
 
 TEST(Readme, NamesEveryCommandAndEveryOption) {
   const std::string text = content_of((kRoot / "README.md").string());
-  for (const char* word :
-       {"check", "refine", "generate", "validate", "--property", "--final", "--format", "--budget", "--write",
-        "--degree", "--grading", "--domain", "--elements", "./build.sh verify", "./build.sh test"}) {
+  for (const char* word : {"check",
+                           "refine",
+                           "generate",
+                           "enumerate",
+                           "validate",
+                           "--claim",
+                           "--max-subdivisions",
+                           "--admissible",
+                           "--no-symmetry",
+                           "--property",
+                           "--final",
+                           "--format",
+                           "--budget",
+                           "--write",
+                           "--degree",
+                           "--grading",
+                           "--domain",
+                           "--elements",
+                           "./build.sh verify",
+                           "./build.sh test"}) {
     EXPECT_NE(text.find(word), std::string::npos) << word;
   }
 }
