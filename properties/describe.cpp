@@ -10,6 +10,12 @@ Rational tree_coordinate(const RefinementTree& tree, Axis axis, std::int32_t ran
   return tree.grid(axis).coordinate(tree.grid(axis).line_of_rank(rank));
 }
 
+PerturbationInfo describe_perturbation(MeshUnderTest& mesh, const PerAxis<HalfRank>& point, Axis axis) {
+  const auto [in, out] = nodes_behind(mesh.splines(), mesh.bricks(), axis, point);
+  return {axis, coordinate_of(mesh.mesh(), axis, point[at(axis)]), describe_node(mesh.mesh(), mesh.splines(), in),
+          describe_node(mesh.mesh(), mesh.splines(), out)};
+}
+
 }  // namespace
 
 ElementInfo describe_element(const Mesh& mesh, std::int32_t element) {
@@ -54,6 +60,15 @@ ActiveNodeInfo describe_node(const Mesh& mesh, const TSplines& splines, std::int
     info.support.upper[a] = info.index_vectors[a].back();
   }
   return info;
+}
+
+RegionsMeetWitness describe_meeting(MeshUnderTest& mesh, const RegionsMeet& meeting) {
+  ExactPoint point;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    point[at(axis)] = coordinate_of(mesh.mesh(), axis, meeting.point[at(axis)]);
+  }
+  return {point, describe_perturbation(mesh, meeting.point, meeting.first_axis),
+          describe_perturbation(mesh, meeting.point, meeting.second_axis)};
 }
 
 Rational coordinate_of(const Mesh& mesh, Axis axis, HalfRank position) {

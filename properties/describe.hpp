@@ -11,6 +11,9 @@ ElementInfo describe_tree_element(const RefinementTree& tree, std::int32_t id);
 ExactBox describe_environment(const RefinementTree& tree, std::int32_t id);
 ActiveNodeInfo describe_node(const Mesh& mesh, const TSplines& splines, std::int32_t node);
 
+/// A point of two perturbed regions with the nodes behind them.
+RegionsMeetWitness describe_meeting(MeshUnderTest& mesh, const RegionsMeet& meeting);
+
 /// The coordinate of a position on a line, or of the active region's lower side where no line runs along it.
 Rational coordinate_of(const Mesh& mesh, Axis axis, HalfRank position);
 

@@ -8,7 +8,7 @@ namespace asts {
 
 Verdict decide_dual_basis(MeshUnderTest& mesh) {
   if (auto verdict = lacks_splines(mesh)) return *verdict;
-  const DualBasisFailures failures = find_dual_failures(mesh.mesh(), mesh.splines(), mesh.bricks());
+  const DualBasisFailures& failures = mesh.dual_failures();
   if (!failures.one) return Verdict::holds();
   const auto [v, w] = *failures.one;
   DualValue value = dual_value(mesh.mesh(), mesh.splines(), v, w);

@@ -24,7 +24,7 @@ std::vector<NoOverlapInfo> missing_overlaps(const Mesh& mesh, const TSplines& sp
 
 Verdict decide_dual_compatible(MeshUnderTest& mesh) {
   if (auto verdict = lacks_splines(mesh)) return *verdict;
-  const auto pair = find_incompatible(mesh.splines(), mesh.bricks());
+  const auto& pair = mesh.incompatible();
   if (!pair) return Verdict::holds();
   return Verdict::violated(NoPartialOverlapWitness{describe_node(mesh.mesh(), mesh.splines(), pair->v),
                                                    describe_node(mesh.mesh(), mesh.splines(), pair->w),

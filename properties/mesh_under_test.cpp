@@ -63,6 +63,26 @@ const Bricks& MeshUnderTest::bricks() {
   return *bricks_;
 }
 
+const PerturbedRegions& MeshUnderTest::perturbed_regions() {
+  if (!perturbed_regions_) perturbed_regions_ = asts::perturbed_regions(bricks(), splines().region);
+  return *perturbed_regions_;
+}
+
+const std::optional<RegionsMeet>& MeshUnderTest::meeting_regions() {
+  if (!meeting_regions_) meeting_regions_.emplace(find_meeting(perturbed_regions()));
+  return *meeting_regions_;
+}
+
+const std::optional<NodePair>& MeshUnderTest::incompatible() {
+  if (!incompatible_) incompatible_.emplace(find_incompatible(splines(), bricks()));
+  return *incompatible_;
+}
+
+const DualBasisFailures& MeshUnderTest::dual_failures() {
+  if (!dual_failures_) dual_failures_ = find_dual_failures(mesh_, splines(), bricks());
+  return *dual_failures_;
+}
+
 std::int64_t MeshUnderTest::new_elements() const {
   if (!recognised_) return tree_->new_element_count();
   return std::count_if(mesh_.elements.begin(), mesh_.elements.end(),

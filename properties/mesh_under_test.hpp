@@ -7,6 +7,8 @@
 
 #include "lib/mesh/mesh.hpp"
 #include "lib/spline/bricks.hpp"
+#include "lib/spline/dual_basis.hpp"
+#include "lib/spline/perturbed_regions.hpp"
 #include "lib/spline/tsplines.hpp"
 
 namespace asts {
@@ -34,6 +36,12 @@ class MeshUnderTest {
   const TSplines& splines();
   const Bricks& bricks();
 
+  /// Decided once, for all that is asked about them. REQUIRES: all index vectors exist.
+  const PerturbedRegions& perturbed_regions();          ///< Definition 5.1
+  const std::optional<RegionsMeet>& meeting_regions();  ///< Definition 5.2: nothing when analysis-suitable
+  const std::optional<NodePair>& incompatible();        ///< Definition 6.4: nothing when dual-compatible
+  const DualBasisFailures& dual_failures();             ///< none when there is a dual basis (Definition 6.2)
+
   std::int64_t new_elements() const;
   /// The highest integer level of an element, if any has one.
   std::optional<std::int32_t> max_level() const;
@@ -45,6 +53,10 @@ class MeshUnderTest {
   std::optional<bool> admissible_;
   std::optional<TSplines> splines_;
   std::optional<Bricks> bricks_;
+  std::optional<PerturbedRegions> perturbed_regions_;
+  std::optional<std::optional<RegionsMeet>> meeting_regions_;
+  std::optional<std::optional<NodePair>> incompatible_;
+  std::optional<DualBasisFailures> dual_failures_;
 };
 
 }  // namespace asts

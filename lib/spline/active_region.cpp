@@ -18,4 +18,12 @@ ActiveRegion active_region(const Mesh& mesh) {
   return region;
 }
 
+ActiveRegion whole_domain(const Mesh& mesh) {
+  ActiveRegion domain{};
+  for (std::size_t a = 0; a < kDimension; ++a) {
+    domain.upper[a] = 2 * (static_cast<std::int32_t>(mesh.coordinates[a].size()) - 1);
+  }
+  return domain;
+}
+
 }  // namespace asts

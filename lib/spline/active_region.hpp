@@ -19,4 +19,7 @@ struct ActiveRegion {
 /// REQUIRES: odd degrees, so that ceil(p/2) = (p+1)/2.
 ActiveRegion active_region(const Mesh& mesh);
 
+/// The closed index domain in the same form, for what is asked of it in place of the active region.
+ActiveRegion whole_domain(const Mesh& mesh);
+
 }  // namespace asts

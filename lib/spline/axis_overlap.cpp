@@ -1,6 +1,7 @@
 #include "lib/spline/axis_overlap.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "lib/exact/errors.hpp"
 
@@ -34,13 +35,17 @@ std::pair<std::int32_t, std::int32_t> indices_meeting(const TSplines& splines, c
                                                       const AxisProfile& other, Axis axis) {
   const IndexVectors& vectors = splines.vectors[at(axis)];
   const auto side = [&](std::int32_t id) { return RankInterval{vectors.front(id), vectors.back(id)}; };
+  std::optional<std::pair<std::int32_t, std::int32_t>> touching;
   for (std::size_t i = 0; i < one.vector_ids.size(); ++i) {
     for (std::size_t j = 0; j < other.vector_ids.size(); ++j) {
-      if (interiors_meet(side(one.vector_ids[i]), side(other.vector_ids[j]))) {
-        return {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
-      }
+      const RankInterval first = side(one.vector_ids[i]);
+      const RankInterval second = side(other.vector_ids[j]);
+      const std::pair indices(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
+      if (interiors_meet(first, second)) return indices;
+      if (first.lower <= second.upper && second.lower <= first.upper) touching = indices;
     }
   }
+  if (touching) return *touching;
   throw InternalError("no supports of the bricks meet");
 }
 

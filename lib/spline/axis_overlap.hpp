@@ -34,7 +34,8 @@ class AxisOverlap {
 std::int32_t index_with_entry(const TSplines& splines, const AxisProfile& profile, Axis axis, std::int32_t entry);
 std::int32_t index_around(const TSplines& splines, const AxisProfile& profile, Axis axis, std::int32_t rank);
 
-/// The first pair of indices whose supports have more than a point in common along the axis. REQUIRES: there is one.
+/// The first pair of indices whose supports have more than a point in common along the axis; where there is none, a
+/// pair with a common point. REQUIRES: there is one.
 std::pair<std::int32_t, std::int32_t> indices_meeting(const TSplines& splines, const AxisProfile& one,
                                                       const AxisProfile& other, Axis axis);
 

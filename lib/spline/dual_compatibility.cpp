@@ -35,22 +35,53 @@ NodePair telling_nodes(const TSplines& splines, const Bricks& bricks, const Bric
   return {std::min(first, second), std::max(first, second)};
 }
 
-}  // namespace
+/// Along how many axes bricks overlap.
+class OverlapCount {
+ public:
+  explicit OverlapCount(const Bricks& bricks) {
+    for (Axis axis = 0; axis < kDimension; ++axis) overlaps_.emplace_back(bricks, axis);
+  }
 
-std::optional<NodePair> find_incompatible(const TSplines& splines, const Bricks& bricks) {
-  std::vector<AxisOverlap> overlaps;
-  for (Axis axis = 0; axis < kDimension; ++axis) overlaps.emplace_back(bricks, axis);
+  int of(const Brick& one, const Brick& other) {
+    int overlapping = 0;
+    for (AxisOverlap& overlap : overlaps_) overlapping += overlap.holds(one, other) ? 1 : 0;
+    return overlapping;
+  }
+
+ private:
+  std::vector<AxisOverlap> overlaps_;
+};
+
+std::optional<NodePair> least_incompatible(const TSplines& splines, const Bricks& bricks, bool sharing_volume) {
+  OverlapCount overlapping(bricks);
   std::optional<std::pair<std::int32_t, std::int32_t>> least;
   for (const auto& pair : bricks.pairs) {
     const Brick& one = bricks.bricks[at(pair.first)];
     const Brick& other = bricks.bricks[at(pair.second)];
-    if (!interiors_meet(one.support, other.support)) continue;
-    int overlapping = 0;
-    for (AxisOverlap& overlap : overlaps) overlapping += overlap.holds(one, other) ? 1 : 0;
-    if (overlapping < 2 && (!least || pair < *least)) least = pair;
+    if (sharing_volume && !interiors_meet(one.support, other.support)) continue;
+    if (overlapping.of(one, other) < 2 && (!least || pair < *least)) least = pair;
   }
   if (!least) return std::nullopt;
   return telling_nodes(splines, bricks, bricks.bricks[at(least->first)], bricks.bricks[at(least->second)]);
+}
+
+}  // namespace
+
+std::optional<NodePair> find_incompatible(const TSplines& splines, const Bricks& bricks) {
+  return least_incompatible(splines, bricks, true);
+}
+
+std::optional<NodePair> find_incompatible_meeting(const TSplines& splines, const Bricks& bricks) {
+  return least_incompatible(splines, bricks, false);
+}
+
+std::int64_t count_overlap_failures(const Bricks& bricks) {
+  OverlapCount overlapping(bricks);
+  return std::count_if(bricks.pairs.begin(), bricks.pairs.end(), [&](const auto& pair) {
+    const Brick& one = bricks.bricks[at(pair.first)];
+    const Brick& other = bricks.bricks[at(pair.second)];
+    return interiors_meet(one.support, other.support) && overlapping.of(one, other) < kDimension;
+  });
 }
 
 }  // namespace asts

@@ -27,4 +27,13 @@ struct NodePair {
 /// bricks.
 std::optional<NodePair> find_incompatible(const TSplines& splines, const Bricks& bricks);
 
+/// The same with the pairs of nodes whose closed supports meet at all, if only in a point: a pair that does not
+/// partially overlap, or nothing. Along an axis where overlap fails the supports have common interior, so that such a
+/// pair of nodes touches along one axis at most.
+std::optional<NodePair> find_incompatible_meeting(const TSplines& splines, const Bricks& bricks);
+
+/// How many pairs of bricks have supports that share volume and fail to overlap along some axis: what Definition 6.4 is
+/// about in a mesh that is not uniform.
+std::int64_t count_overlap_failures(const Bricks& bricks);
+
 }  // namespace asts

@@ -11,13 +11,13 @@ namespace asts {
 
 namespace {
 
-/// The bricks that reach each slice of an axis inside the active region, and whether they have its line as an entry.
+/// The bricks that reach each slice of an axis, and whether they have its line as an entry.
 class Slices {
  public:
-  Slices(const TSplines& splines, const Bricks& bricks, Axis axis) : splines_(splines), bricks_(bricks), axis_(axis) {
+  Slices(const Bricks& bricks, Axis axis, const ActiveRegion& within) : bricks_(bricks), axis_(axis), within_(within) {
     const std::size_t a = at(axis);
-    first_ = (splines.region.lower[a] + 1) / 2;
-    const std::int32_t last = splines.region.upper[a] / 2;
+    first_ = (within.lower[a] + 1) / 2;
+    const std::int32_t last = within.upper[a] / 2;
     begin_.assign(at(std::max(last - first_ + 1, 0)) + 1, 0);
     for_each_visit([&](std::size_t slice, std::int32_t, bool) { ++begin_[slice + 1]; });
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
@@ -60,17 +60,17 @@ class Slices {
     std::size_t side = 0;
     for (Axis other = 0; other < kDimension; ++other) {
       if (other == axis_) continue;
-      rectangle.lower[side] = std::max(2 * brick.support.lower[at(other)], splines_.region.lower[at(other)]);
-      rectangle.upper[side] = std::min(2 * brick.support.upper[at(other)], splines_.region.upper[at(other)]);
+      rectangle.lower[side] = std::max(2 * brick.support.lower[at(other)], within_.lower[at(other)]);
+      rectangle.upper[side] = std::min(2 * brick.support.upper[at(other)], within_.upper[at(other)]);
       if (rectangle.lower[side] > rectangle.upper[side]) return;
       ++side;
     }
     result.push_back(rectangle);
   }
 
-  const TSplines& splines_;
   const Bricks& bricks_;
   Axis axis_;
+  const ActiveRegion& within_;
   std::int32_t first_ = 0;            ///< the rank of the first slice
   std::vector<std::size_t> begin_;    ///< of each slice's visits
   std::vector<std::int32_t> visits_;  ///< twice the brick, plus 1 if it has the line
@@ -124,9 +124,9 @@ std::optional<std::int32_t> node_covering(const TSplines& splines, const Bricks&
 
 }  // namespace
 
-std::vector<Box> perturbed_region(const TSplines& splines, const Bricks& bricks, Axis axis) {
+std::vector<Box> perturbed_region(const Bricks& bricks, Axis axis, const ActiveRegion& within) {
   std::vector<Box> region;
-  const Slices slices(splines, bricks, axis);
+  const Slices slices(bricks, axis, within);
   UnionIntersection intersection;
   std::vector<Rectangle> having;
   std::vector<Rectangle> lacking;
@@ -141,9 +141,17 @@ std::vector<Box> perturbed_region(const TSplines& splines, const Bricks& bricks,
   return region;
 }
 
-std::optional<RegionsMeet> find_meeting_regions(const TSplines& splines, const Bricks& bricks) {
-  PerAxis<std::vector<Box>> regions;
-  for (Axis axis = 0; axis < kDimension; ++axis) regions[at(axis)] = perturbed_region(splines, bricks, axis);
+std::vector<Box> perturbed_region(const TSplines& splines, const Bricks& bricks, Axis axis) {
+  return perturbed_region(bricks, axis, splines.region);
+}
+
+PerturbedRegions perturbed_regions(const Bricks& bricks, const ActiveRegion& within) {
+  PerturbedRegions regions;
+  for (Axis axis = 0; axis < kDimension; ++axis) regions[at(axis)] = perturbed_region(bricks, axis, within);
+  return regions;
+}
+
+std::optional<RegionsMeet> find_meeting(const PerturbedRegions& regions) {
   for (Axis first = 0; first < kDimension; ++first) {
     for (Axis second = first + 1; second < kDimension; ++second) {
       if (const auto point = least_common_point(regions[at(first)], regions[at(second)])) {
@@ -152,6 +160,10 @@ std::optional<RegionsMeet> find_meeting_regions(const TSplines& splines, const B
     }
   }
   return std::nullopt;
+}
+
+std::optional<RegionsMeet> find_meeting_regions(const TSplines& splines, const Bricks& bricks) {
+  return find_meeting(perturbed_regions(bricks, splines.region));
 }
 
 std::pair<std::int32_t, std::int32_t> nodes_behind(const TSplines& splines, const Bricks& bricks, Axis axis,

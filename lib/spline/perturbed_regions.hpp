@@ -20,7 +20,17 @@ namespace asts {
 /// is the intersection of two unions of rectangles: those of the bricks with the entry q, and those of the bricks that
 /// reach q without having it; clipped to the active region. Cost: the sum over the bricks of the lines that they reach
 /// along the axis, and painting each slice once.
+///
+/// `within` is what the slices are cut from: TSplines::region as Definition 5.1 prints it. With whole_domain() the
+/// slices are those of the closed domain, which supports never leave; the regions are larger then, and have slices
+/// outside the active region.
+std::vector<Box> perturbed_region(const Bricks& bricks, Axis axis, const ActiveRegion& within);
+/// As printed.
 std::vector<Box> perturbed_region(const TSplines& splines, const Bricks& bricks, Axis axis);
+
+/// The three of them.
+using PerturbedRegions = PerAxis<std::vector<Box>>;
+PerturbedRegions perturbed_regions(const Bricks& bricks, const ActiveRegion& within);
 
 /// Where two perturbed regions of different axes meet: their least common point (lexicographically).
 struct RegionsMeet {
@@ -29,8 +39,11 @@ struct RegionsMeet {
   PerAxis<HalfRank> point;
 };
 
-/// Definition 5.2: nothing when the mesh is analysis-suitable, else the meeting of the first pair of axes, of (x,y),
+/// Definition 5.2: nothing when no two of the regions meet, else the meeting of the first pair of axes, of (x,y),
 /// (x,z), (y,z), whose regions meet. Closed sets: touching counts.
+std::optional<RegionsMeet> find_meeting(const PerturbedRegions& regions);
+
+/// Definition 5.2 for a mesh: nothing when it is analysis-suitable.
 std::optional<RegionsMeet> find_meeting_regions(const TSplines& splines, const Bricks& bricks);
 
 /// Two nodes that show that a point is in R_axis: both supports contain it, the first node is in N_axis(q) for the
