@@ -2,9 +2,9 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "tests/reference/decide.hpp"
+#include "tests/reference/suitability_cases.hpp"
 
 /// Section 6's statements, from the paper alone and by brute force.
 namespace asts::reference {
@@ -21,16 +21,5 @@ struct SuitabilityClaims {
 };
 
 SuitabilityClaims decide_suitability_claims(const Setting& setting, const Mesh& mesh, std::size_t max_nodes);
-
-/// The figure after Theorem 6.6: the row's heads as printed, T or F for v1, v2, v3, v4, and its cases.
-struct PrintedCases {
-  std::string heads;
-  std::vector<int> cases;
-};
-std::vector<PrintedCases> printed_cases();
-
-/// How many of the 16 situations the table gets wrong, or no case covers: with the printed heads for v3, v4, or with
-/// "in N_x(q)".
-int wrong_rows(bool printed_heads);
 
 }  // namespace asts::reference
