@@ -35,11 +35,10 @@ void require_same(const CubeRootNumber& x, const CubeRootNumber& y) {
   require(x.m() == y.m(), "two numbers are of different fields Q(m^(1/3))");
 }
 
-/// coefficient * [lower, upper].
-void add_multiple(Rational& sum_lower, Rational& sum_upper, const Rational& coefficient, const Rational& lower,
-                  const Rational& upper) {
-  sum_lower += coefficient * (coefficient.sign() < 0 ? upper : lower);
-  sum_upper += coefficient * (coefficient.sign() < 0 ? lower : upper);
+/// Adds coefficient * [lower, upper].
+void add_multiple(RationalBounds& sum, const Rational& coefficient, const Rational& lower, const Rational& upper) {
+  sum.lower += coefficient * (coefficient.sign() < 0 ? upper : lower);
+  sum.upper += coefficient * (coefficient.sign() < 0 ? lower : upper);
 }
 
 }  // namespace
@@ -115,18 +114,24 @@ CubeRootNumber cube_root_power(int m, int k) {
   return {m, rest == 0 ? factor : Rational(0), rest == 1 ? factor : Rational(0), rest == 2 ? factor : Rational(0)};
 }
 
+RationalBounds rational_bounds(const CubeRootNumber& number, int places) {
+  RationalBounds sum{number.a(), number.a()};
+  if (number.is_rational()) return sum;
+  const Integer unit = power(10, places);
+  const Integer root = cube_root_floor(number.m() * unit * unit * unit);
+  const Rational lower = Rational(root) / Rational(unit);
+  const Rational upper = Rational(root + 1) / Rational(unit);
+  add_multiple(sum, number.b(), lower, upper);
+  add_multiple(sum, number.c(), lower * lower, upper * upper);
+  return sum;
+}
+
 DecimalEnclosure enclose_decimal(const CubeRootNumber& number, int digits) {
+  require(digits >= 1, "a decimal has at least one significant digit");
   if (number.is_rational()) return enclose_decimal(number.a(), digits);
   for (int places = digits + 8;; places *= 2) {
-    const Integer unit = power(10, places);
-    const Integer root = cube_root_floor(number.m() * unit * unit * unit);
-    const Rational lower = Rational(root) / Rational(unit);
-    const Rational upper = Rational(root + 1) / Rational(unit);
-    Rational sum_lower = number.a();
-    Rational sum_upper = number.a();
-    add_multiple(sum_lower, sum_upper, number.b(), lower, upper);
-    add_multiple(sum_lower, sum_upper, number.c(), lower * lower, upper * upper);
-    if (const auto decimal = enclose_irrational(sum_lower, sum_upper, digits)) return *decimal;
+    const RationalBounds bounds = rational_bounds(number, places);
+    if (const auto decimal = enclose_irrational(bounds.lower, bounds.upper, digits)) return *decimal;
   }
 }
 

@@ -21,7 +21,7 @@ namespace asts {
 ///  2. order: <=> is the order of the real numbers, compatible with + and with * by positive numbers, and agrees with
 ///     rational bounds of t.
 ///  3. cubes: where m = r^3, t == r.
-///  4. enclosure: as enclose_decimal of a rational number.
+///  4. enclosure: as enclose_decimal of a rational number; rational_bounds hold the number.
 ///
 /// Operations of two numbers throw InputError when their m differ.
 class CubeRootNumber {
@@ -68,6 +68,15 @@ int sign(const CubeRootNumber& number);
 
 /// m^(k/3), for k of either sign. Cost: one power of an integer.
 CubeRootNumber cube_root_power(int m, int k);
+
+/// Two rationals around a number: equal where it is rational, and the closer the more places are asked for.
+struct RationalBounds {
+  Rational lower;
+  Rational upper;
+};
+
+/// Bounds by rational bounds of t that are 10^-places apart. REQUIRES: places >= 0.
+RationalBounds rational_bounds(const CubeRootNumber& number, int places);
 
 /// The tightest enclosure by decimals with that many significant digits. Throws InputError unless digits >= 1.
 DecimalEnclosure enclose_decimal(const CubeRootNumber& number, int digits = 12);

@@ -111,6 +111,13 @@ TEST(CubeRootNumber, Law4Enclosures) {
       << "fifteen digits cancel: 2^(1/3) = 1.25992104989487316476...";
 }
 
+RC_GTEST_PROP(CubeRootNumber, Law4RationalBounds, ()) {
+  const CubeRootNumber x = any_number(any_m());
+  const RationalBounds bounds = rational_bounds(x, *rc::gen::inRange(0, 30));
+  RC_ASSERT(x >= bounds.lower);
+  RC_ASSERT(x <= bounds.upper);
+}
+
 TEST(CubeRootNumber, AsText) {
   EXPECT_EQ(to_string(CubeRootNumber(5, Rational(5) / 2, Rational(-1) / 3, 2)), "5/2 - 1/3 5^(1/3) + 2 5^(2/3)");
   EXPECT_EQ(to_string(CubeRootNumber(5, 0, -1)), "-5^(1/3)");
@@ -124,6 +131,7 @@ TEST(CubeRootNumber, MisuseIsTheCallersFault) {
   EXPECT_THROW(root(2) + root(3), InputError);
   EXPECT_THROW(root(2) / CubeRootNumber(2, 0), InputError);
   EXPECT_THROW(enclose_decimal(root(2), 0), InputError);
+  EXPECT_THROW(enclose_decimal(root(2), -20), InputError);
 }
 
 }  // namespace

@@ -170,14 +170,14 @@ TEST(EquationClaims, LevelFormulasByHand) {
 }  // namespace
 
 std::vector<NegativeControl> equation_controls() {
-  return {{"size-formula", "the axes x and y exchanged", with_fault(judge_size, mix_up_axes)},
-          {"child-distance", "a child counted from 1", with_fault(judge_child_distance, shift_child)},
-          {"child-distance-repaired", "a child counted from 1", with_fault(judge_child_distance_repaired, shift_child)},
-          {"patch-radius-step", "the child's level one too high", with_fault(judge_radius_step, level_off_by_one, 3)},
-          {"radius-bounds", "m^(1/3) forgotten in the second component", patch_bound_without_root},
-          {"child-distance-bound", "the axes x and y exchanged", with_fault(judge_child_bound, mix_up_axes)},
-          {"child-distance-bound-repaired", "the axes x and y exchanged",
-           with_fault(judge_child_bound_repaired, shift_child)}};
+  return {
+      {"size-formula", "the axes x and y exchanged", with_fault(judge_size, mix_up_axes)},
+      {"child-distance", "a child counted from 1", with_fault(judge_child_distance, shift_child)},
+      {"child-distance-repaired", "a child counted from 1", with_fault(judge_child_distance_repaired, shift_child)},
+      {"patch-radius-step", "the child's level one too high", with_fault(judge_radius_step, level_off_by_one, 3)},
+      {"radius-bounds", "m^(1/3) forgotten in the second component", patch_bound_without_root},
+      {"child-distance-bound", "a child counted from 1", with_fault(judge_child_bound, shift_child)},
+      {"child-distance-bound-repaired", "a child counted from 1", with_fault(judge_child_bound_repaired, shift_child)}};
 }
 
 std::vector<Confirmation> equation_confirmations() {

@@ -1,0 +1,38 @@
+#include "properties/claims/marked_sequence.hpp"
+
+#include <algorithm>
+
+#include "properties/describe.hpp"
+
+namespace asts {
+
+namespace {
+
+void append_marks(const RefinementTree& tree, const Step& step, std::vector<ElementInfo>& marks) {
+  std::vector<std::int32_t> leaves;
+  for (const Point& mark : step.marks) leaves.push_back(tree.leaf_at(mark));
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  for (const std::int32_t leaf : leaves) marks.push_back(describe_tree_element(tree, leaf));
+}
+
+}  // namespace
+
+std::optional<MarkedSequence> follow(const Case& sequence, NewElements wanted) {
+  MarkedSequence result;
+  Replay replay(sequence);
+  for (const Step& step : sequence.steps) {
+    if (step.kind != Step::Kind::refine) return std::nullopt;
+    append_marks(replay.tree(), step, result.marks);
+    replay.advance();
+    result.steps.push_back({replay.counts().marked, replay.counts().subdivided, replay.tree().new_element_count()});
+  }
+  if (wanted == NewElements::count) return result;
+  for (std::int32_t id = 0; id < replay.tree().node_count(); ++id) {
+    if (!replay.tree().is_leaf(id) || replay.tree().node(id).level < 1) continue;
+    result.new_elements.push_back(describe_tree_element(replay.tree(), id));
+  }
+  return result;
+}
+
+}  // namespace asts
