@@ -115,8 +115,8 @@ std::optional<std::vector<PlanarBox>> planar_boxes(const Mesh& mesh, Axis extrud
   for (const Box& element : mesh.elements) {
     const std::int32_t layer = element.lower[at(extruded)];
     if (element.upper[at(extruded)] != layer + 1) return std::nullopt;
-    layers[at(layer)].push_back({{element.lower[at(first)], element.lower[at(second)]},
-                                 {element.upper[at(first)], element.upper[at(second)]}});
+    layers[at(layer)].push_back(
+        {{element.lower[at(first)], element.lower[at(second)]}, {element.upper[at(first)], element.upper[at(second)]}});
   }
   for (std::vector<PlanarBox>& layer : layers) {
     std::sort(layer.begin(), layer.end(), by_box);

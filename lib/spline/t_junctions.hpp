@@ -11,8 +11,8 @@
 namespace asts {
 
 /// Analysis-suitability of planar T-meshes in its classical form, by T-junction extensions: Li, Zheng, Sederberg,
-/// Hughes, Scott, "On linear independence of T-spline blending functions" (CAGD 29, 2012) for degree 3; Beirao da Veiga,
-/// Buffa, Sangalli, Vazquez, "Analysis-suitable T-splines of arbitrary degree" (M3AS 23, 2013). For odd degrees:
+/// Hughes, Scott, "On linear independence of T-spline blending functions" (CAGD 29, 2012) for degree 3; Beirao da
+/// Veiga, Buffa, Sangalli, Vazquez, "Analysis-suitable T-splines of arbitrary degree" (M3AS 23, 2013). For odd degrees:
 ///
 /// A T-junction is an inner vertex of valence three. It is horizontal if the missing edge is (then a horizontal line
 /// ends there), else vertical. Let (i,j) be a horizontal T-junction and hI(j) = {i' : (i',j) on a vertical edge,
@@ -93,8 +93,6 @@ std::optional<std::pair<TJunction, TJunction>> facing_junctions(const PlanarEdge
 std::optional<std::vector<PlanarBox>> planar_boxes(const Mesh& mesh, Axis extruded);
 
 /// The axes of a planar mesh, in order.
-constexpr std::array<Axis, 2> planar_axes(Axis extruded) {
-  return {extruded == 0 ? 1 : 0, extruded == 2 ? 1 : 2};
-}
+constexpr std::array<Axis, 2> planar_axes(Axis extruded) { return {extruded == 0 ? 1 : 0, extruded == 2 ? 1 : 2}; }
 
 }  // namespace asts

@@ -53,13 +53,13 @@ Verdict not_covered(const Mesh& mesh, const Hanging& hanging, const PerAxis<Half
     outside[a] = (mesh.coordinate(axis, point[a] / 2) + mesh.coordinate(axis, (point[a] + 1) / 2)) / 2;
   }
   const bool node = hanging.box.lower == hanging.box.upper;
-  return Verdict::violated(ClaimWitness{node ? "hanging-node-not-covered" : "hanging-edge-not-covered",
-                                        std::string("hangs along ") + axis_name(hanging.axis) +
-                                            " on the element and has a point in no perturbed region",
-                                        {{"hanging", box},
-                                         {"element", describe_element(mesh, hanging.element)},
-                                         {"point", outside},
-                                         {"slice", mesh.coordinate(hanging.axis, hanging.rank())}}});
+  return Verdict::violated(ClaimWitness{
+      node ? "hanging-node-not-covered" : "hanging-edge-not-covered",
+      std::string("hangs along ") + axis_name(hanging.axis) + " on the element and has a point in no perturbed region",
+      {{"hanging", box},
+       {"element", describe_element(mesh, hanging.element)},
+       {"point", outside},
+       {"slice", mesh.coordinate(hanging.axis, hanging.rank())}}});
 }
 
 std::vector<Hanging> all_hanging(const Mesh& mesh) {
@@ -149,17 +149,17 @@ Trial judge_hanging_cover_repaired(const Mesh& mesh, const PerturbedRegions& reg
 }
 
 // Why it holds, given Lemma 3.5. Say K hangs along x, so that the node h or the edge e lies at x = q strictly between
-// K's ends a < b. Elements that touch K are in its patch and have K in theirs, so that their levels differ from level(K)
-// by at most 1. One that has a face at x = q is not larger than K along x and is divided along x more often: it has the
-// level of a child of K, level(K) is 0 mod 3, and all elements that touch K are at least as large as K along y and z and
-// have no side strictly inside K's y- and z-range.
-// (1) K lies in supp B_w. Along x: the line through w along x has, between a and b, the entries of elements that touch
-// K's edge there; if there were any, one of these elements would be divided along x, at all multiples of 1/m, at q too,
-// and (q,w2,w3) would be in Xi_x. So b (or a, if w1 = b) is the entry next to w1. Along y and z the entry next to w in
-// K's direction is K's other end, because elements that touch K have no side between.
-// (2) If h is active it is in N_x(q), and supp B_h contains it. If an end of e is active, it is in N_x(q), and the entry
-// next to it along e is e's other end (or farther), by the last sentence of the first paragraph: e lies in its support.
-// So h (e within AR) lies in R_x(q): in the supports of w, not in N_x(q), and of a node in N_x(q).
+// K's ends a < b. Elements that touch K are in its patch and have K in theirs, so that their levels differ from
+// level(K) by at most 1. One that has a face at x = q is not larger than K along x and is divided along x more often:
+// it has the level of a child of K, level(K) is 0 mod 3, and all elements that touch K are at least as large as K along
+// y and z and have no side strictly inside K's y- and z-range. (1) K lies in supp B_w. Along x: the line through w
+// along x has, between a and b, the entries of elements that touch K's edge there; if there were any, one of these
+// elements would be divided along x, at all multiples of 1/m, at q too, and (q,w2,w3) would be in Xi_x. So b (or a, if
+// w1 = b) is the entry next to w1. Along y and z the entry next to w in K's direction is K's other end, because
+// elements that touch K have no side between. (2) If h is active it is in N_x(q), and supp B_h contains it. If an end
+// of e is active, it is in N_x(q), and the entry next to it along e is e's other end (or farther), by the last sentence
+// of the first paragraph: e lies in its support. So h (e within AR) lies in R_x(q): in the supports of w, not in
+// N_x(q), and of a node in N_x(q).
 Trial perturbed_cover_hanging_repaired(MeshUnderTest& mesh) {
   if (!mesh.admissible()) return {Verdict::not_applicable("the mesh is not admissible")};
   return judge_hanging_cover_repaired(mesh.mesh(), perturbed_regions(mesh));

@@ -141,14 +141,13 @@ Verdict no_unique_vector(const Mesh& mesh, Axis axis, const PerAxis<std::int32_t
                          const std::vector<std::int32_t>& set, std::size_t windows) {
   ExactPoint point;
   for (Axis other = 0; other < kDimension; ++other) point[at(other)] = mesh.coordinate(other, node[at(other)]);
-  return Verdict::violated(
-      ClaimWitness{"no-unique-index-vector",
-                   std::string("not exactly one choice of p+2 consecutive entries along ") + axis_name(axis) +
-                       " with the active node in the middle",
-                   {{"node", point},
-                    {"length", std::int64_t{mesh.setting.degree[at(axis)]} + 2},
-                    {"choices", static_cast<std::int64_t>(windows)},
-                    {"index_set", coordinates_of(mesh, axis, set)}}});
+  return Verdict::violated(ClaimWitness{"no-unique-index-vector",
+                                        std::string("not exactly one choice of p+2 consecutive entries along ") +
+                                            axis_name(axis) + " with the active node in the middle",
+                                        {{"node", point},
+                                         {"length", std::int64_t{mesh.setting.degree[at(axis)]} + 2},
+                                         {"choices", static_cast<std::int64_t>(windows)},
+                                         {"index_set", coordinates_of(mesh, axis, set)}}});
 }
 
 }  // namespace

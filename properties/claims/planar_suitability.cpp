@@ -40,14 +40,14 @@ ExactPoint junction_point(const Mesh& mesh, Axis extruded, const TJunction& junc
 }
 
 Verdict only_extensions_meet(const Mesh& mesh, Axis extruded, const std::pair<Extension, Extension>& meeting) {
-  return Verdict::violated(ClaimWitness{
-      "only-extensions-meet",
-      "a horizontal and a vertical T-junction extension meet, but no two perturbed regions do",
-      {{"extruded_along", std::string(axis_name(extruded))},
-       {"horizontal_junction", junction_point(mesh, extruded, meeting.first.junction)},
-       {"horizontal_extension", segment_of(mesh, extruded, meeting.first)},
-       {"vertical_junction", junction_point(mesh, extruded, meeting.second.junction)},
-       {"vertical_extension", segment_of(mesh, extruded, meeting.second)}}});
+  return Verdict::violated(
+      ClaimWitness{"only-extensions-meet",
+                   "a horizontal and a vertical T-junction extension meet, but no two perturbed regions do",
+                   {{"extruded_along", std::string(axis_name(extruded))},
+                    {"horizontal_junction", junction_point(mesh, extruded, meeting.first.junction)},
+                    {"horizontal_extension", segment_of(mesh, extruded, meeting.first)},
+                    {"vertical_junction", junction_point(mesh, extruded, meeting.second.junction)},
+                    {"vertical_extension", segment_of(mesh, extruded, meeting.second)}}});
 }
 
 Verdict only_regions_meet(MeshUnderTest& mesh, Axis extruded, const RegionsMeet& meeting) {
@@ -55,13 +55,13 @@ Verdict only_regions_meet(MeshUnderTest& mesh, Axis extruded, const RegionsMeet&
   for (Axis axis = 0; axis < kDimension; ++axis) {
     point[at(axis)] = coordinate_of(mesh.mesh(), axis, meeting.point[at(axis)]);
   }
-  return Verdict::violated(
-      ClaimWitness{"only-regions-meet",
-                   "two perturbed regions meet in the point, but no horizontal T-junction extension meets a vertical one",
-                   {{"extruded_along", std::string(axis_name(extruded))},
-                    {"point", point},
-                    {"first", std::string(axis_name(meeting.first_axis))},
-                    {"second", std::string(axis_name(meeting.second_axis))}}});
+  return Verdict::violated(ClaimWitness{
+      "only-regions-meet",
+      "two perturbed regions meet in the point, but no horizontal T-junction extension meets a vertical one",
+      {{"extruded_along", std::string(axis_name(extruded))},
+       {"point", point},
+       {"first", std::string(axis_name(meeting.first_axis))},
+       {"second", std::string(axis_name(meeting.second_axis))}}});
 }
 
 std::array<int, 2> planar_degree(const Mesh& mesh, Axis extruded) {

@@ -106,8 +106,8 @@ PerAxis<RankInterval> environment_of(const RefinementTree& tree, std::int32_t id
 }
 
 /// The part on the slice of the union of the leaves that meet one of some environments.
-Cells union_on_slice(const RefinementTree& tree, std::int32_t k,
-                     const std::vector<PerAxis<RankInterval>>& environments, int margin) {
+Cells union_on_slice(const RefinementTree& tree, std::int32_t k, const std::vector<PerAxis<RankInterval>>& environments,
+                     int margin) {
   Cells cells;
   for (std::int32_t id = 0; id < tree.node_count(); ++id) {
     if (!tree.is_leaf(id) || !on_slice(tree, id, k)) continue;
@@ -129,8 +129,8 @@ std::vector<PerAxis<RankInterval>> environments_in_patch(const RefinementTree& t
   return result;
 }
 
-/// Points of the slices at multiples of a quarter that lie in the drawn squares and in the active region: enough to tell
-/// closed sets apart whose sides are at halves. In quarters.
+/// Points of the slices at multiples of a quarter that lie in the drawn squares and in the active region: enough to
+/// tell closed sets apart whose sides are at halves. In quarters.
 class Quarters {
  public:
   Quarters(const Mesh& mesh, int margin) : active_(active_region(mesh)) {
@@ -146,7 +146,8 @@ class Quarters {
     std::set<Point2> points;
     for (int y = 0; y <= 4 * kSquares[0]; ++y) {
       for (int z = 0; z <= 4 * kSquares[1]; ++z) {
-        if (active_.contains(1, rank(0, y)) && active_.contains(2, rank(1, z)) && predicate(y, z)) points.insert({y, z});
+        if (active_.contains(1, rank(0, y)) && active_.contains(2, rank(1, z)) && predicate(y, z))
+          points.insert({y, z});
       }
     }
     return points;
@@ -229,18 +230,17 @@ FigureItems items_of_figure(MeshUnderTest& mesh, std::int32_t element, const Pro
   const int margin = margin_of(tree.setting()).value();
   FigureItems items;
   items.emplace_back("levels", mesh.admissible());
-  items.emplace_back("patch", union_on_slice(tree, element, {environment_of(tree, element)}, margin) ==
-                                  cells_of(figure.patch));
-  items.emplace_back("second-order patch",
-                     union_on_slice(tree, element, environments_in_patch(tree, element), margin) ==
-                         cells_of(figure.second_patch));
+  items.emplace_back("patch",
+                     union_on_slice(tree, element, {environment_of(tree, element)}, margin) == cells_of(figure.patch));
+  items.emplace_back("second-order patch", union_on_slice(tree, element, environments_in_patch(tree, element),
+                                                          margin) == cells_of(figure.second_patch));
   const Quarters quarters(mesh.mesh(), margin);
   items.emplace_back("Sigma", quarters.seen(new_supports(mesh, element)) == quarters.drawn({figure.sigma}));
   const PerAxis<std::vector<Rectangle>> drawn{drawn_region_x(figure), figure.lines_y, figure.lines_z};
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    items.emplace_back(std::string("R") + axis_name(axis),
-                       quarters.seen(perturbed_region(mesh.splines(), mesh.bricks(), axis)) ==
-                           quarters.drawn(drawn[at(axis)]));
+    items.emplace_back(
+        std::string("R") + axis_name(axis),
+        quarters.seen(perturbed_region(mesh.splines(), mesh.bricks(), axis)) == quarters.drawn(drawn[at(axis)]));
   }
   return items;
 }

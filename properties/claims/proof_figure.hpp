@@ -18,31 +18,32 @@ struct ProofFigure {
     std::array<int, 2> upper;
   };
 
-  std::array<Rectangle, 3> levels;   ///< where the level is at least 1, 2, 3
-  Rectangle element;                 ///< K, whose child is drawn with level 4
-  Rectangle patch;                   ///< of K
-  Rectangle second_patch;            ///< the second-order patch
-  Rectangle sigma;                   ///< Sigma, a part of Rx
-  Rectangle ring_outside;            ///< the other part of Rx: this
-  Rectangle ring_inside;             ///< ... without the interior of this
-  std::vector<Rectangle> lines_y;    ///< Ry: pieces of lines at one y
-  std::vector<Rectangle> lines_z;    ///< Rz: at one z
-  int around = 0;                    ///< units between the drawn squares and the active region's sides
+  std::array<Rectangle, 3> levels;  ///< where the level is at least 1, 2, 3
+  Rectangle element;                ///< K, whose child is drawn with level 4
+  Rectangle patch;                  ///< of K
+  Rectangle second_patch;           ///< the second-order patch
+  Rectangle sigma;                  ///< Sigma, a part of Rx
+  Rectangle ring_outside;           ///< the other part of Rx: this
+  Rectangle ring_inside;            ///< ... without the interior of this
+  std::vector<Rectangle> lines_y;   ///< Ry: pieces of lines at one y
+  std::vector<Rectangle> lines_z;   ///< Rz: at one z
+  int around = 0;                   ///< units between the drawn squares and the active region's sides
 };
 
-/// As it is drawn. (The second figure's caption calls the lines of Ry horizontal and those of Rz vertical; in the figure
-/// lines at one y are vertical, so the two words are exchanged. Here Ry has the lines at one y, as Definition 5.1 says.)
+/// As it is drawn. (The second figure's caption calls the lines of Ry horizontal and those of Rz vertical; in the
+/// figure lines at one y are vertical, so the two words are exchanged. Here Ry has the lines at one y, as
+/// Definition 5.1 says.)
 ProofFigure drawn_proof_figure();
 
 /// The same situation for p = (3,3,3), as Algorithm 2.9 makes it.
 ProofFigure correct_proof_figure();
 
-/// Bare subdivisions make the figure's levels, at every x alike, and subdivide one element K last. The active region has
-/// the squares that are drawn and `around` more on each side; along x it is one unit, and K is at its lower end.
+/// Bare subdivisions make the figure's levels, at every x alike, and subdivide one element K last. The active region
+/// has the squares that are drawn and `around` more on each side; along x it is one unit, and K is at its lower end.
 Case case_of_figure(const ProofFigure& figure, const PerAxis<int>& degree);
 
-/// The element K, as a node of the refinement tree, of a mesh that has the drawn levels on the slice through K's middle:
-/// the drawn squares in the middle of the domain, level 0 around them. Nothing if the mesh is another one.
+/// The element K, as a node of the refinement tree, of a mesh that has the drawn levels on the slice through K's
+/// middle: the drawn squares in the middle of the domain, level 0 around them. Nothing if the mesh is another one.
 std::optional<std::int32_t> find_drawn_element(MeshUnderTest& mesh, const ProofFigure& figure);
 
 /// What is drawn, item by item, and whether the mesh has it: the levels (is the mesh admissible?), the patch, the

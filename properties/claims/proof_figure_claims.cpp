@@ -59,8 +59,8 @@ ProofFigure drawn_proof_figure() {
 
 // By hand, for p = (3,3,3), from K = [8,17/2] x [21/2,11] outwards. U(K) reaches 4 of K's sides beyond K: the patch is
 // [6,21/2] x [17/2,13], and level >= 3 is needed there, that is in the elements of level 2 that meet it: z in [8,13].
-// Their patches reach 4 half units along y and 4 units along z: level >= 2 in [4,25/2] x [4,17], rounded to unit squares
-// [4,13] x [4,17]; level >= 1 in [0,17] x [0,21]. Supports reach two entries beyond a node.
+// Their patches reach 4 half units along y and 4 units along z: level >= 2 in [4,25/2] x [4,17], rounded to unit
+// squares [4,13] x [4,17]; level >= 1 in [0,17] x [0,21]. Supports reach two entries beyond a node.
 ProofFigure correct_proof_figure() {
   ProofFigure figure = drawn_proof_figure();
   figure.levels = {{{{0, 0}, {34, 42}}, {{8, 8}, {26, 34}}, {{12, 16}, {21, 26}}}};
@@ -100,11 +100,10 @@ Trial judge_proof_figure(MeshUnderTest& mesh, const ProofFigure& figure) {
   }
   if (missing.empty()) return trial;
   const PerAxis<int>& degree = mesh.mesh().setting.degree;
-  trial.verdict = Verdict::violated(ClaimWitness{"drawn-otherwise",
-                                                 "the definitions do not give what is drawn",
-                                                 {{"p2", std::int64_t{degree[1]}},
-                                                  {"p3", std::int64_t{degree[2]}},
-                                                  {"not_as_drawn", missing}}});
+  trial.verdict = Verdict::violated(
+      ClaimWitness{"drawn-otherwise",
+                   "the definitions do not give what is drawn",
+                   {{"p2", std::int64_t{degree[1]}}, {"p3", std::int64_t{degree[2]}}, {"not_as_drawn", missing}}});
   return trial;
 }
 

@@ -48,9 +48,10 @@ std::span<const Claim> skeleton_claims() {
             .alone = uniform_unperturbed_alone},
       Claim{.id = "perturbed-cover-hanging",
             .source = "Definition 5.1, end",
-            .statement = "in a non-uniform mesh, Rx, Ry and Rz together are a superset of all hanging nodes (nodes in a "
-                         "closed element that are no vertices of it) and edges (edges that meet the relative interior "
-                         "of an element's face)",
+            .statement =
+                "in a non-uniform mesh, Rx, Ry and Rz together are a superset of all hanging nodes (nodes in a "
+                "closed element that are no vertices of it) and edges (edges that meet the relative interior "
+                "of an element's face)",
             .kind = ClaimKind::remark,
             .meshes = "ar",
             .met_means = "hanging nodes and edges",
@@ -89,18 +90,20 @@ std::span<const Claim> skeleton_claims() {
             .alone = planar_equals_classical_repaired_alone},
       Claim{.id = "figure-slices",
             .source = "Figures after Definition 5.2",
-            .statement = "in the two planar examples, p = 3, q = 3/2: Nx(q), NA without Nx(q), the unions of the supports "
-                         "of both, Rx(q), the classical extension at (3/2,2), and whether the mesh is "
-                         "analysis-suitable, are as drawn and as the captions say",
+            .statement =
+                "in the two planar examples, p = 3, q = 3/2: Nx(q), NA without Nx(q), the unions of the supports "
+                "of both, Rx(q), the classical extension at (3/2,2), and whether the mesh is "
+                "analysis-suitable, are as drawn and as the captions say",
             .kind = ClaimKind::figure,
             .meshes = "e",
             .met_means = "nodes and sets compared",
             .alone = figure_slices_alone},
       Claim{.id = "figure-proof-levels",
             .source = "Figures in the proof of Theorem 5.3",
-            .statement = "for m = 2 and level(K) = 3 there are odd degrees p2, p3 >= 3 for which the mesh with the drawn "
-                         "levels on the slice is admissible and has the drawn patch, second-order patch, Sigma, Rx, Ry "
-                         "and Rz",
+            .statement =
+                "for m = 2 and level(K) = 3 there are odd degrees p2, p3 >= 3 for which the mesh with the drawn "
+                "levels on the slice is admissible and has the drawn patch, second-order patch, Sigma, Rx, Ry "
+                "and Rz",
             .kind = ClaimKind::figure,
             .meshes = "a",
             .met_means = "drawn items that fit some degrees",
@@ -109,11 +112,12 @@ std::span<const Claim> skeleton_claims() {
             .alone = figure_proof_levels_alone},
       Claim{.id = "figure-proof-levels-repaired",
             .source = "Figures in the proof of Theorem 5.3, repaired",
-            .statement = "for m = 2, p = (3,3,3), K = [8,17/2] x [21/2,11] of level 3 on the slice: level >= 1, 2, 3 in "
-                         "[0,17] x [0,21], [4,13] x [4,17], [6,21/2] x [8,13]; patch [6,21/2] x [17/2,13]; second-order "
-                         "patch [4,25/2] x [6,15]; Sigma [7,19/2] x [19/2,12]; Rx is Sigma and, outside (1,16) x (1,20), "
-                         "a ring; Ry at y = 9/2, 11/2, ..., 25/2, z in [2,5] and [16,19]; Rz at z = 17/2, ..., 25/2, y in "
-                         "[5,13/2] and [10,23/2]",
+            .statement =
+                "for m = 2, p = (3,3,3), K = [8,17/2] x [21/2,11] of level 3 on the slice: level >= 1, 2, 3 in "
+                "[0,17] x [0,21], [4,13] x [4,17], [6,21/2] x [8,13]; patch [6,21/2] x [17/2,13]; second-order "
+                "patch [4,25/2] x [6,15]; Sigma [7,19/2] x [19/2,12]; Rx is Sigma and, outside (1,16) x (1,20), "
+                "a ring; Ry at y = 9/2, 11/2, ..., 25/2, z in [2,5] and [16,19]; Rz at z = 17/2, ..., 25/2, y in "
+                "[5,13/2] and [10,23/2]",
             .kind = ClaimKind::figure,
             .meshes = "a",
             .met_means = "items that are as said",

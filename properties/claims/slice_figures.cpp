@@ -53,9 +53,7 @@ Quarters union_of(const std::vector<SliceFigure::Rectangle>& rectangles) {
   return set;
 }
 
-Quarters segment(const std::array<int, 2>& range) {
-  return union_of({{{kSlice, range[0]}, {kSlice, range[1]}}});
-}
+Quarters segment(const std::array<int, 2>& range) { return union_of({{{kSlice, range[0]}, {kSlice, range[1]}}}); }
 
 /// What the definitions give for the figure's mesh.
 struct SliceFacts {
@@ -125,7 +123,8 @@ Quarters classical_extension(MeshUnderTest& mesh) {
 
 bool suitable_both_ways(MeshUnderTest& mesh, bool expected) {
   const bool regions_meet = find_meeting_regions(mesh.splines(), mesh.bricks()).has_value();
-  const bool extensions_meet = crossing_extensions(planar_mesh(mesh.mesh())->edges, {kDegree[0], kDegree[1]}).has_value();
+  const bool extensions_meet =
+      crossing_extensions(planar_mesh(mesh.mesh())->edges, {kDegree[0], kDegree[1]}).has_value();
   return regions_meet != expected && extensions_meet != expected;
 }
 

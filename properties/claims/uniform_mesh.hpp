@@ -8,8 +8,8 @@ namespace asts {
 /// N_z(s) is not empty; on the others the slice perturbation is empty by definition.
 Trial judge_unperturbed(MeshUnderTest& mesh);
 
-/// All elements have one level. (By subdivisions that makes the mesh uniform: elements of one level are of one size, and
-/// their sides are at multiples of it.)
+/// All elements have one level. (By subdivisions that makes the mesh uniform: elements of one level are of one size,
+/// and their sides are at multiples of it.)
 Trial uniform_unperturbed(MeshUnderTest& mesh);
 
 /// The uniform mesh of a level. REQUIRES: it is small enough for memory.
