@@ -211,6 +211,80 @@ TEST(SkeletonClaims, ThreeSubdivisionsDoNotMakeACoarseElementInside) {
   EXPECT_EQ(uncovered, 0);
 }
 
+/// Four elements subdivided around two coarse ones in AR = [c,c+1] x [c,c+2]^2, c = (p+1)/2: the counterexample inside
+/// for any degree and grading.
+Case coarse_pair_inside(int degree, int grading) {
+  const int c = (degree + 1) / 2;
+  Case content = subdivisions({degree, degree, degree}, {degree + 2, degree + 3, degree + 3},
+                              {point(c, c, c), point(c, c + 1, c + 1), point(c, c - 1, c + 2), point(c, c + 2, c - 1)});
+  content.grading = grading;
+  return content;
+}
+
+bool nothing_is_perturbed(const Case& content) {
+  LastMesh last(content);
+  const PerturbedRegions regions = perturbed_regions(*last.mesh);
+  return last.mesh->admissible() && regions[0].empty() && regions[1].empty() && regions[2].empty();
+}
+
+TEST(SkeletonClaims, UncoveredHangingNodesForOtherDegreesGradingsAndDomains) {
+  for (const int degree : {3, 5, 7}) {
+    for (const int grading : {2, 3, 4}) {
+      const Case content = coarse_pair_inside(degree, grading);
+      EXPECT_TRUE(nothing_is_perturbed(content)) << degree << " " << grading;
+      EXPECT_EQ(outcome_of("perturbed-cover-hanging", content), Outcome::violated) << degree << " " << grading;
+    }
+  }
+  // all elements but one in the middle
+  std::vector<Point> marks;
+  for (int x = 0; x < 7; ++x) {
+    for (int y = 0; y < 7; ++y) {
+      for (int z = 0; z < 7; ++z) {
+        if (x != 3 || y != 3 || z != 3) marks.push_back(point(x, y, z));
+      }
+    }
+  }
+  EXPECT_TRUE(nothing_is_perturbed(subdivisions({3, 3, 3}, {7, 7, 7}, marks)));
+}
+
+// The repaired form needs admissibility: with m = 4 an element's corner has many entries between it and the next one.
+TEST(SkeletonClaims, RepairedCoverNeedsAdmissibility) {
+  Case content = subdivisions({3, 3, 5}, {5, 5, 6}, {point(2, 2, 3)});
+  content.grading = 4;
+  const std::vector<Point> marks{point(over(9, 4), 2, 3), point(over(5, 2), 2, 3), point(over(5, 2), over(11, 4), 3),
+                                 point(2, 2, 3), point(over(5, 2), over(9, 4), 3)};
+  for (const Point& mark : marks) content.steps.push_back({Step::Kind::subdivide, {mark}});
+  LastMesh last(content);
+  EXPECT_FALSE(last.mesh->admissible());
+  EXPECT_EQ(judge_hanging_cover_repaired(last.mesh->mesh(), perturbed_regions(*last.mesh)).verdict.outcome,
+            Outcome::violated);
+  EXPECT_FALSE(
+      reference::hanging_covered_if_vertex_outside(literal::setting(setting_of(content)), literal::last_mesh(content)));
+}
+
+// Admissible meshes on domains with a wide active region, refined inside it: that is where the repaired form speaks.
+TEST(SkeletonClaims, RepairedCoverOnWideActiveRegions) {
+  std::int64_t met = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Draw draw(seed);
+    Case content = subdivisions({3, draw.one_in(3) ? 5 : 3, 3}, {}, {});
+    content.grading = draw.between(2, 4);
+    for (int& side : content.domain) side = draw.between(6, 9);
+    for (int steps = draw.between(1, 3); steps > 0; --steps) {
+      Point mark;
+      for (std::size_t axis = 0; axis < kDimension; ++axis) {
+        const int frame = (content.degree[axis] + 1) / 2;
+        mark[axis] = CompactRational(over(draw.between(4 * frame, 4 * (content.domain[axis] - frame)), 4));
+      }
+      content.steps.push_back({Step::Kind::refine, {mark}});
+    }
+    const Trial trial = trial_of("perturbed-cover-hanging-repaired", content);
+    ASSERT_EQ(trial.verdict.outcome, Outcome::holds) << write_case(content);
+    met += trial.met;
+  }
+  EXPECT_GT(met, 5000);
+}
+
 // ---- the remark to Definition 5.2 ----
 
 TEST(SkeletonClaims, PublishedPlanarMeshes) {
@@ -276,6 +350,79 @@ TEST(SkeletonClaims, SmallPlanarMeshesExhaustively) {
   EXPECT_EQ(three.meshes, 512);
   EXPECT_EQ(three.violations, 70);
   EXPECT_EQ(three.repaired_violations, 0);
+}
+
+/// The cuts that make a mesh of halved squares, frame included: the boxes that it has more than unit squares. A line
+/// that ends on a side of the active region cuts the two squares of the frame behind it.
+int cuts_of(const PlanarTiling& tiling, const std::array<int, 2>& squares) {
+  std::set<std::array<int, 3>> ends;
+  for (const PlanarTiling::Box& box : tiling.boxes()) {
+    for (const int axis : {0, 1}) {
+      const std::size_t a = at(axis);
+      for (const int place : {box.lower[1 - a], box.upper[1 - a]}) {
+        if (place % 2 != 0 && box.lower[a] == 0) ends.insert({axis, 0, place});
+        if (place % 2 != 0 && box.upper[a] == 2 * squares[a]) ends.insert({axis, 1, place});
+      }
+    }
+  }
+  return static_cast<int>(tiling.boxes().size() + 2 * ends.size()) - squares[0] * squares[1];
+}
+
+/// Goes over all ways to divide the squares from one on with at most so many cuts; counts tried meshes and violations.
+void count_few_cuts(std::array<int, 2> squares, std::vector<int>& ways, std::size_t square, int cuts, int max_cuts,
+                    PlanarCounts& counts) {
+  constexpr std::array<int, kSquareCuts> kCuts{0, 1, 2, 2, 1, 2, 2, 3};
+  if (square == ways.size()) {
+    const PlanarTiling tiling = halved_squares(squares, ways);
+    if (cuts_of(tiling, squares) > max_cuts) return;
+    LastMesh last(tiling.extruded({3, 3, 3}));
+    ++counts.meshes;
+    counts.violations += planar_equals_classical(*last.mesh).verdict.outcome == Outcome::violated;
+    return;
+  }
+  for (int way = 0; way < kSquareCuts; ++way) {
+    const int more = cuts + kCuts[static_cast<std::size_t>(way)];
+    if (more > max_cuts) continue;
+    ways[square] = way;
+    count_few_cuts(squares, ways, square + 1, more, max_cuts, counts);
+  }
+  ways[square] = 0;
+}
+
+PlanarCounts few_cuts(std::array<int, 2> squares, int max_cuts) {
+  PlanarCounts counts;
+  std::vector<int> ways(static_cast<std::size_t>(squares[0] * squares[1]), 0);
+  count_few_cuts(squares, ways, 0, 0, max_cuts, counts);
+  return counts;
+}
+
+// The counterexample has four cuts on 2 x 6 squares. (For one degree along x and y, mirrored active regions are alike.)
+TEST(SkeletonClaims, NoSmallerPlanarCounterexample) {
+  EXPECT_EQ(finding("planar-equals-classical").elements.size(), 4u * (60 + 4));
+  int meshes = 0;
+  for (const auto& squares : std::vector<std::array<int, 2>>{{1, 1},
+                                                             {1, 2},
+                                                             {1, 3},
+                                                             {1, 4},
+                                                             {1, 5},
+                                                             {1, 6},
+                                                             {1, 7},
+                                                             {1, 8},
+                                                             {2, 2},
+                                                             {2, 3},
+                                                             {2, 4},
+                                                             {2, 5},
+                                                             {3, 3},
+                                                             {3, 4}}) {
+    const PlanarCounts counts = few_cuts(squares, 4);
+    EXPECT_EQ(counts.violations, 0) << squares[0] << " x " << squares[1];
+    meshes += counts.meshes;
+  }
+  EXPECT_EQ(few_cuts({2, 6}, 3).violations, 0);
+  EXPECT_EQ(few_cuts({3, 5}, 3).violations, 0);
+  EXPECT_EQ(few_cuts({4, 4}, 2).violations, 0);
+  EXPECT_EQ(few_cuts({2, 6}, 4).violations, 4);
+  RecordProperty("meshes with at most four cuts", meshes);
 }
 
 // ---- figures ----
