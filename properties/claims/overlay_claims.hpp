@@ -8,6 +8,17 @@ namespace asts {
 /// A common refinement of two meshes of one setting; the overlay is the coarsest (lib/refine/overlay.hpp).
 using CommonRefinement = std::function<RefinementTree(const RefinementTree& one, const RefinementTree& other)>;
 
+// The paper expects both claims and leaves them open. They have short proofs. Let I(G) be the set of elements that were
+// subdivided on the way to G: the inner elements of its tree. I(G1 (+) G2) is the union of I(G1) and I(G2).
+//
+// Admissible: let K be in I(G1), say. By the criterion of lib/refine/admissibility.hpp the elements of G1 that meet
+// U(K) have level(K) or more; those of the overlay that meet U(K) lie in these, so their levels are no lower. The
+// criterion holds for the overlay.
+//
+// Cardinality: each subdivision makes m - 1 elements more, so elements(G) = elements(G0) + (m - 1) |I(G)|, and
+// elements(G1) + elements(G2) - elements(G1 (+) G2) - elements(G0) = (m - 1) |I(G1) and I(G2)| >= 0. The bound is
+// sharp: equality holds exactly if no element was subdivided in both.
+
 /// `overlay-admissible` for two meshes: their overlay is admissible. REQUIRES: both are, and have one setting.
 /// Counts 1 if neither mesh refines the other.
 Trial judge_overlay_admissible(const RefinementTree& one, const RefinementTree& other, const CommonRefinement& combine);

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
+#include "lib/gen/enumerate.hpp"
 #include "lib/gen/growing_case.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "lib/mesh/reflection.hpp"
@@ -327,6 +329,47 @@ TEST(RefinementClaims, OverlaysOfRandomPairsAgreeWithTheLiteralCode) {
     third += admissible.met != 0;
   }
   EXPECT_GT(third, 200);
+}
+
+/// The inner elements of a tree, as boxes.
+std::set<reference::Box> inner_of(const RefinementTree& tree) {
+  std::set<reference::Box> inner;
+  for (std::int32_t id = 0; id < tree.node_count(); ++id) {
+    if (tree.node(id).level >= 0 && !tree.is_leaf(id)) inner.insert(literal::box(tree, id));
+  }
+  return inner;
+}
+
+// Both claims for all pairs of a small scope: every admissible mesh that at most 5 subdivisions make of a row of 8
+// cubes. What is left of the bound is m - 1 for each element that both meshes have subdivided.
+TEST(RefinementClaims, OverlaysOfAllPairsOfASmallScope) {
+  std::vector<RefinementTree> meshes;
+  std::vector<std::set<reference::Box>> inner;
+  enumerate_meshes({{{3, 3, 3}, 2, {8, 1, 1}}, 5, true, false}, [&](const EnumeratedMesh& mesh) {
+    meshes.push_back(mesh.tree);
+    inner.push_back(inner_of(mesh.tree));
+  });
+  // At most 5 of 8 cubes: 219 meshes. A half of the first cube needs the cubes 1 to 3 subdivided, one of the second
+  // cube the cubes 1 to 4: 2 meshes with the first cube's one half alone, 1 with both, 2 * 5 with one and a fourth
+  // cube, 2 with a half of the second cube; the same at the other end: 30 meshes.
+  EXPECT_EQ(meshes.size(), 219U + 30U);
+  std::int64_t third = 0;
+  for (std::size_t i = 0; i < meshes.size() && !HasFailure(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const Trial trial = overlay_trial(meshes[i], meshes[j]);
+      EXPECT_EQ(trial.verdict.outcome, Outcome::holds) << i << " " << j;
+      const bool comparable = std::includes(inner[i].begin(), inner[i].end(), inner[j].begin(), inner[j].end()) ||
+                              std::includes(inner[j].begin(), inner[j].end(), inner[i].begin(), inner[i].end());
+      EXPECT_EQ(trial.met, comparable ? 0 : 1);
+      third += trial.met;
+      std::vector<reference::Box> common;
+      std::set_intersection(inner[i].begin(), inner[i].end(), inner[j].begin(), inner[j].end(),
+                            std::back_inserter(common));
+      EXPECT_EQ(meshes[i].element_count() + meshes[j].element_count() - overlay(meshes[i], meshes[j]).element_count(),
+                8 + static_cast<std::int64_t>(common.size()));
+    }
+  }
+  EXPECT_EQ(third, 27'150) << "of 31125 pairs";
 }
 
 // The partners of a mesh are admissible with it, and the mirror images are the literal ones.
