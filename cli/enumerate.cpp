@@ -1,15 +1,11 @@
-#include "lib/gen/enumerate.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "cli/commands.hpp"
 #include "cli/setting_options.hpp"
-#include "cli/statements.hpp"
 #include "cli/terminal.hpp"
-#include "lib/exact/errors.hpp"
+#include "cli/trial_chain.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "reports/enumerate_report.hpp"
 
@@ -20,37 +16,9 @@ namespace {
 /// A line of progress for every so many meshes.
 constexpr std::int64_t kProgress = 256;
 
-/// A claim or a property with what is known about it so far.
-struct Statement {
-  EnumerationRecord record;
-  std::function<Trial(MeshUnderTest&)> decide;
-  bool reflects = false;   ///< a mesh and its reflections give the same outcome and count
-  std::size_t fewest = 0;  ///< subdivisions of the smallest violating mesh
-};
-
-Statement statement_of(const Property& property) {
-  Statement statement;
-  statement.record.kind = "property";
-  statement.record.id = property.id;
-  statement.decide = [&property](MeshUnderTest& mesh) { return Trial{decide(property, mesh)}; };
-  statement.reflects = true;
-  return statement;
-}
-
-Statement statement_of(const Claim& claim) {
-  if (claim.on_mesh == nullptr) throw InputError(fmt::format("claim '{}' is not about one mesh", claim.id));
-  Statement statement;
-  statement.record.kind = "claim";
-  statement.record.id = claim.id;
-  statement.record.met = 0;
-  statement.decide = [&claim](MeshUnderTest& mesh) { return try_on_mesh(claim, mesh); };
-  statement.reflects = claim.reflects;
-  return statement;
-}
-
 /// What was asked for; all claims about meshes when nothing was.
-std::vector<Statement> statements_of(const EnumerateOptions& options) {
-  std::vector<Statement> statements;
+std::vector<MeshStatement> statements_of(const EnumerateOptions& options) {
+  std::vector<MeshStatement> statements;
   for (const Property* property : chosen_properties(options.properties)) statements.push_back(statement_of(*property));
   for (const Claim* claim : chosen_claims(options.claims)) statements.push_back(statement_of(*claim));
   if (!options.claims.empty() || !options.properties.empty()) return statements;
@@ -60,48 +28,64 @@ std::vector<Statement> statements_of(const EnumerateOptions& options) {
   return statements;
 }
 
-void count(Statement& statement, const EnumeratedMesh& mesh, const Trial& trial) {
-  EnumerationRecord& record = statement.record;
+EnumerationRecord empty_record(const MeshStatement& statement) {
+  EnumerationRecord record;
+  record.kind = statement.kind;
+  record.id = statement.id;
+  if (record.kind == "claim") record.met = 0;
+  return record;
+}
+
+void count(EnumerationRecord& record, const EnumeratedMesh& mesh, const TrialResult& result) {
   record.meshes += mesh.reflections;
-  if (record.met) *record.met += trial.met * mesh.reflections;
-  if (trial.verdict.outcome == Outcome::not_applicable) record.not_applicable += mesh.reflections;
-  if (trial.verdict.outcome == Outcome::undecided) record.undecided += mesh.reflections;
-  if (trial.verdict.outcome != Outcome::violated) return;
+  if (record.met) *record.met += result.met * mesh.reflections;
+  if (result.outcome == Outcome::not_applicable) record.not_applicable += mesh.reflections;
+  if (result.outcome == Outcome::undecided) record.undecided += mesh.reflections;
+  if (result.outcome != Outcome::violated) return;
   record.violations += mesh.reflections;
   // meshes with as many subdivisions come in the canonical order: the first one stays
-  if (record.smallest && mesh.subdivided.size() >= statement.fewest) return;
-  statement.fewest = mesh.subdivided.size();
+  const auto subdivisions = static_cast<std::int64_t>(mesh.subdivided.size());
+  if (record.smallest && subdivisions >= record.fewest) return;
+  record.fewest = subdivisions;
   record.smallest = write_case(case_of(mesh));
 }
 
-/// Decides some of the statements for every mesh.
-void try_on_all(const Enumeration& enumeration, const std::vector<Statement*>& statements) {
-  if (statements.empty()) return;
-  std::int64_t meshes = 0;
+/// Tries those statements on every mesh for which a mesh can stand for its reflections, or those for which it cannot.
+void try_on_all(Enumeration enumeration, bool up_to_reflection, const std::vector<MeshStatement>& statements,
+                std::vector<EnumerationRecord>& records) {
+  std::vector<const MeshStatement*> tried;
+  std::vector<EnumerationRecord*> counted;
+  for (std::size_t i = 0; i < statements.size(); ++i) {
+    if (statements[i].reflects != up_to_reflection) continue;
+    tried.push_back(&statements[i]);
+    counted.push_back(&records[i]);
+  }
+  if (tried.empty()) return;
+  enumeration.up_to_reflection = up_to_reflection;
+  TrialChain trials(tried);
   std::int64_t visits = 0;
-  enumerate_meshes(enumeration, [&](const EnumeratedMesh& enumerated) {
+  enumerate_meshes(enumeration, [&](const EnumeratedMesh& mesh) {
     stop_if_interrupted();
-    meshes += enumerated.reflections;
-    if (++visits % kProgress == 0) show_progress(fmt::format("{} meshes", meshes));
-    MeshUnderTest mesh(enumerated.tree);
-    for (Statement* statement : statements) count(*statement, enumerated, statement->decide(mesh));
+    if (++visits % kProgress == 0) show_progress(fmt::format("{} meshes", counted[0]->meshes));
+    const std::vector<TrialResult>& results = trials.results(mesh);
+    for (std::size_t i = 0; i < results.size(); ++i) count(*counted[i], mesh, results[i]);
   });
 }
 
-void report(const std::vector<Statement>& statements, Format format) {
+void report(const std::vector<EnumerationRecord>& records, Format format) {
   if (format == Format::json) {
-    for (const Statement& statement : statements) print(enumeration_json(statement.record));
+    for (const EnumerationRecord& record : records) print(enumeration_json(record));
     return;
   }
   print(enumeration_text_header());
-  for (const Statement& statement : statements) print(enumeration_text(statement.record));
-  for (const Statement& statement : statements) print(smallest_text(statement.record));
+  for (const EnumerationRecord& record : records) print(enumeration_text(record));
+  for (const EnumerationRecord& record : records) print(smallest_text(record));
 }
 
-int exit_code(const std::vector<Statement>& statements) {
+int exit_code(const std::vector<EnumerationRecord>& records) {
   const auto any = [&](std::int64_t EnumerationRecord::*count) {
-    return std::any_of(statements.begin(), statements.end(),
-                       [&](const Statement& statement) { return statement.record.*count > 0; });
+    return std::any_of(records.begin(), records.end(),
+                       [&](const EnumerationRecord& record) { return record.*count > 0; });
   };
   return any(&EnumerationRecord::violations) ? kViolated : any(&EnumerationRecord::undecided) ? kFailure : kHolds;
 }
@@ -109,18 +93,17 @@ int exit_code(const std::vector<Statement>& statements) {
 }  // namespace
 
 int enumerate(const EnumerateOptions& options) {
-  Enumeration enumeration{checked_setting(options.setting), options.max_subdivisions, options.admissible, false};
-  std::vector<Statement> statements = statements_of(options);
-  for (const bool up_to_reflection : {true, false}) {
-    std::vector<Statement*> part;
-    for (Statement& statement : statements) {
-      if ((statement.reflects && !options.no_symmetry) == up_to_reflection) part.push_back(&statement);
-    }
-    enumeration.up_to_reflection = up_to_reflection;
-    try_on_all(enumeration, part);
+  const Enumeration enumeration{checked_setting(options.setting), options.max_subdivisions, options.admissible};
+  std::vector<MeshStatement> statements = statements_of(options);
+  std::vector<EnumerationRecord> records;
+  for (MeshStatement& statement : statements) {
+    if (options.no_symmetry) statement.reflects = false;
+    records.push_back(empty_record(statement));
   }
-  report(statements, options.format);
-  return exit_code(statements);
+  try_on_all(enumeration, true, statements, records);
+  try_on_all(enumeration, false, statements, records);
+  report(records, options.format);
+  return exit_code(records);
 }
 
 }  // namespace asts::cli

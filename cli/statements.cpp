@@ -27,4 +27,17 @@ std::vector<const Claim*> chosen_claims(const std::vector<std::string>& ids) {
   return chosen;
 }
 
+MeshStatement statement_of(const Property& property) {
+  const bool of_splines = property.decide == decide_analysis_suitable || property.decide == decide_dual_compatible ||
+                          property.decide == decide_dual_basis;
+  const auto decide_it = [&property](MeshUnderTest& mesh) { return Trial{decide(property, mesh)}; };
+  return {"property", property.id, decide_it, true, of_splines};
+}
+
+MeshStatement statement_of(const Claim& claim) {
+  if (claim.on_mesh == nullptr) throw InputError("claim '" + std::string(claim.id) + "' is not about one mesh");
+  const auto decide_it = [&claim](MeshUnderTest& mesh) { return try_on_mesh(claim, mesh); };
+  return {"claim", claim.id, decide_it, claim.reflects, claim.of_splines};
+}
+
 }  // namespace asts::cli

@@ -18,6 +18,7 @@ struct EnumerationRecord {
   std::optional<std::int64_t> met;
   /// A violating mesh with the fewest subdivisions, as a case: the first of them in the canonical order.
   std::optional<std::string> smallest;
+  std::int64_t fewest = 0;  ///< its subdivisions
 
   std::int64_t applicable() const { return meshes - not_applicable - undecided; }
 };

@@ -81,7 +81,10 @@ GridCoordinate GridCoordinate::canonical() const {
   return {grading_, reduced, depth};
 }
 
-Rational GridCoordinate::to_rational() const { return {index(), power_of(grading_, depth_)}; }
+Rational GridCoordinate::to_rational() const {
+  if (depth_ == 0) return index();  // most coordinates of coarse meshes; spares a greatest common divisor
+  return {index(), power_of(grading_, depth_)};
+}
 
 std::strong_ordering operator<=>(const GridCoordinate& a, const GridCoordinate& b) {
   require(a.grading_ == b.grading_, "coordinates of different gradings lie on different grids");

@@ -1,6 +1,7 @@
 #include "lib/gen/enumerate.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -45,7 +46,7 @@ class Enumerator {
     add_unit_cubes();
   }
 
-  void run() { extend(0, static_cast<std::int64_t>(1)); }
+  void run() { extend(0, 1); }
 
  private:
   void add_unit_cubes() {
@@ -137,7 +138,7 @@ class Enumerator {
 
   const Enumeration& enumeration_;
   const Visit& visit_;
-  std::vector<RefinementTree> trees_;  ///< after each subdivision of the set
+  std::deque<RefinementTree> trees_;  ///< after each subdivision of the set; they stay where they are
   std::vector<Candidate> queue_;
   std::vector<Candidate> set_;  ///< what is subdivided, in the canonical order
   std::vector<std::int32_t> subdivided_;

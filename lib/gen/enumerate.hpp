@@ -32,10 +32,12 @@ struct Enumeration {
   bool up_to_reflection = false;
 };
 
-/// A mesh as it is visited; it is there during the visit only.
+/// A mesh as it is visited. The mesh before its last subdivision was the latest visit with one subdivision fewer.
 struct EnumeratedMesh {
-  const RefinementTree& tree;                ///< ranks are up to date
-  std::span<const std::int32_t> subdivided;  ///< elements of the tree in the canonical order
+  /// Ranks are up to date. Stays until the next visit of a mesh with as many subdivisions; its nodes have the same
+  /// numbers in the trees of the meshes that extend it.
+  const RefinementTree& tree;
+  std::span<const std::int32_t> subdivided;  ///< nodes of the tree in the canonical order; there during the visit
   std::int64_t reflections;                  ///< distinct meshes that it stands for; 1 unless up_to_reflection
 };
 

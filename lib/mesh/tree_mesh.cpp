@@ -45,17 +45,19 @@ std::vector<std::int32_t> adopt_lines(const RefinementTree& tree, const std::vec
 /// The tree's own hierarchy, node for node; a leaf's element is filled in by the caller.
 Locator locator_of(const RefinementTree& tree, const PerAxis<std::vector<std::int32_t>>& rank) {
   Locator locator;
-  locator.nodes.reserve(at(tree.node_count()));
+  locator.nodes.assign(at(tree.node_count()), {-1, -1, 0, 0});
   for (std::int32_t id = 0; id < tree.node_count(); ++id) {
-    const RefinementTree::Node& node = tree.node(id);
-    std::int32_t lower = 0;
-    if (node.parent != RefinementTree::kNone) {
-      const Axis axis = tree.split_axis(node.parent);
-      lower = rank[at(axis)][at(tree.extent(id, axis).lower)];
+    if (tree.is_leaf(id)) continue;
+    const Axis axis = tree.split_axis(id);
+    const std::int32_t first = tree.node(id).first_child;
+    const std::int32_t count = tree.child_count(id);
+    Locator::Node& node = locator.nodes[at(id)];
+    node.axis = axis;
+    node.first = first;
+    node.count = count;
+    for (std::int32_t child = first; child < first + count; ++child) {
+      locator.nodes[at(child)].lower = rank[at(axis)][at(tree.extent(child, axis).lower)];
     }
-    const bool leaf = tree.is_leaf(id);
-    locator.nodes.push_back(
-        {leaf ? -1 : tree.split_axis(id), leaf ? -1 : node.first_child, tree.child_count(id), lower});
   }
   return locator;
 }

@@ -59,16 +59,22 @@ ActiveNodes collect(const Mesh& mesh, const ActiveRegion& region) {
   NodeTable table(nodes);
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
     const Box& box = mesh.elements[element];
+    std::size_t below = 0;  // bit a: the element's lower side along axis a lies in the active region
+    std::size_t above = 0;
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      below |= std::size_t{region.contains(axis, 2 * box.lower[at(axis)])} << axis;
+      above |= std::size_t{region.contains(axis, 2 * box.upper[at(axis)])} << axis;
+    }
+    if ((below | above) != ActiveNodes::kOctants - 1) continue;
     for (std::size_t corner = 0; corner < ActiveNodes::kOctants; ++corner) {
-      PerAxis<std::int32_t> position;
-      bool active = true;
-      for (Axis axis = 0; axis < kDimension; ++axis) {
-        position[at(axis)] = (corner >> axis & 1) != 0 ? box.upper[at(axis)] : box.lower[at(axis)];
-        active = active && region.contains(axis, 2 * position[at(axis)]);
-      }
       // seen from an upper corner the element lies below, and the other way round
       const std::size_t octant = ~corner & (ActiveNodes::kOctants - 1);
-      if (active) nodes.beside[table.find_or_add(position)][octant] = static_cast<std::int32_t>(element);
+      if (((corner & above) | (octant & below)) != ActiveNodes::kOctants - 1) continue;
+      PerAxis<std::int32_t> position;
+      for (std::size_t axis = 0; axis < kDimension; ++axis) {
+        position[axis] = (corner >> axis & 1) != 0 ? box.upper[axis] : box.lower[axis];
+      }
+      nodes.beside[table.find_or_add(position)][octant] = static_cast<std::int32_t>(element);
     }
   }
   return nodes;

@@ -186,4 +186,15 @@ TSplines tsplines_of(const Mesh& mesh) {
   return splines;
 }
 
+bool may_change_splines(const TSplines& splines, const Box& element, Axis axis) {
+  const auto projects_into = [&](const PerAxis<std::int32_t>& node) {
+    for (Axis other = 0; other < kDimension; ++other) {
+      const std::int32_t place = node[at(other)];
+      if (other != axis && (place < element.lower[at(other)] || place > element.upper[at(other)])) return false;
+    }
+    return true;
+  };
+  return std::any_of(splines.nodes.begin(), splines.nodes.end(), projects_into);
+}
+
 }  // namespace asts

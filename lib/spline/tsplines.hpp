@@ -44,4 +44,14 @@ struct TSplines {
 /// line, a search per entry; no scan of the mesh.
 TSplines tsplines_of(const Mesh& mesh);
 
+/// Whether subdividing an element K along an axis may change the active nodes or an index vector: whether an active
+/// node v of the mesh G has its projection along the axis in that of K, both closed.
+///
+/// If not, they stay as they are. Say K = [x, x+x~] x R is subdivided along x. Xi_y and Xi_z stay, as sets of points,
+/// and so do the index vectors along y and z; Xi_x gets the faces {xi} x R, which change X(v) only for v that project
+/// into R. A new active node would be a vertex (xi, r) of such a face with x < xi < x+x~. The active region's ends are
+/// integers and K lies between two successive ones, so that (x, r) is in it: an active node of G that projects into R.
+/// REQUIRES: a refinement of the initial mesh by level-directed subdivisions. Cost: linear in the nodes.
+bool may_change_splines(const TSplines& splines, const Box& element, Axis axis);
+
 }  // namespace asts

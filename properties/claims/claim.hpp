@@ -73,6 +73,9 @@ struct Claim {
   /// Whether `on_mesh` gives a mesh and its reflections along the axes the same outcome and the same `met`, so that one
   /// of them can be tried for all. Not so where random sets are tried, or where counting ends with the first violation.
   bool reflects = false;
+  /// Whether `on_mesh` depends on nothing but the active nodes and their index vectors, so that it need not be tried
+  /// again after a subdivision that leaves them as they are.
+  bool of_splines = false;
 };
 
 /// All claims in the order of the ledger, a repaired form behind its original.

@@ -5,6 +5,7 @@
 #include <set>
 #include <thread>
 
+#include "lib/gen/enumerate.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "properties/claims/claim.hpp"
 #include "properties/properties.hpp"
@@ -154,6 +155,53 @@ TEST(EnumerateCommand, SymmetryDoesNotChangeTheResult) {
     const Outcome without = run(arguments);
     EXPECT_EQ(with.out, without.out) << ::testing::PrintToString(scope);
     EXPECT_EQ(with.exit_code, without.exit_code);
+  }
+}
+
+struct Total {
+  std::int64_t violations = 0, not_applicable = 0, met = 0;
+};
+
+void add(Total& total, const Trial& trial) {
+  total.violations += trial.verdict.outcome == asts::Outcome::violated;
+  total.not_applicable += trial.verdict.outcome == asts::Outcome::not_applicable;
+  total.met += trial.met;
+}
+
+/// Each mesh by itself, without regard to the meshes before it: the properties, and the claims that a mesh need not be
+/// tried for again when its splines have not changed.
+std::map<std::string, Total> totals_mesh_by_mesh(const Enumeration& enumeration) {
+  std::map<std::string, Total> totals;
+  enumerate_meshes(enumeration, [&](const EnumeratedMesh& enumerated) {
+    MeshUnderTest mesh(enumerated.tree);
+    for (const Property& property : all_properties()) add(totals[property.id], Trial{decide(property, mesh)});
+    for (const Claim& claim : all_claims()) {
+      if (claim.of_splines) add(totals[claim.id], try_on_mesh(claim, mesh));
+    }
+  });
+  return totals;
+}
+
+TEST(EnumerateCommand, TotalsAreThoseOfEachMeshByItself) {
+  const std::pair<Names, Enumeration> scopes[] = {
+      {{"--domain", "4,4,5", "--max-subdivisions", "2"}, {{{3, 3, 3}, 2, {4, 4, 5}}, 2}},
+      {{"--domain", "5,4,4", "--grading", "3", "--max-subdivisions", "2"}, {{{3, 3, 3}, 3, {5, 4, 4}}, 2}},
+      {{"--degree", "3,5,3", "--domain", "4,6,5", "--max-subdivisions", "2", "--admissible"},
+       {{{3, 5, 3}, 2, {4, 6, 5}}, 2, true}}};
+  for (const auto& [scope, enumeration] : scopes) {
+    Names arguments = with_properties(scope);
+    for (const Claim& claim : all_claims()) {
+      if (claim.of_splines) arguments.insert(arguments.end(), {"--claim", claim.id});
+    }
+    const auto records = records_by_id(run(arguments));
+    for (const auto& [id, total] : totals_mesh_by_mesh(enumeration)) {
+      const Json& record = records.at(id);
+      EXPECT_EQ(record["violations"], total.violations) << record;
+      EXPECT_EQ(record["not_applicable"], total.not_applicable) << record;
+      if (record.contains("claim")) {
+        EXPECT_EQ(record["met"], total.met) << record;
+      }
+    }
   }
 }
 

@@ -173,5 +173,51 @@ TEST(TSplines, AgreeWithTheLiteralDefinitions) {
   EXPECT_GT(missing, 0);
 }
 
+/// Active nodes with their index vectors, as coordinates.
+using Described = std::vector<std::pair<reference::Point, PerAxis<std::vector<Rational>>>>;
+
+Described described(const Mesh& mesh) {
+  const TSplines splines = tsplines_of(mesh);
+  Described result;
+  for (std::int32_t node = 0; node < splines.size(); ++node) {
+    PerAxis<std::vector<Rational>> vectors;
+    for (Axis axis = 0; axis < kDimension; ++axis) vectors[at(axis)] = vector_of(mesh, splines, node, axis);
+    result.emplace_back(node_of(mesh, splines, node), vectors);
+  }
+  return result;
+}
+
+// Where no active node projects into the element nothing changes; where one does, mostly something does.
+TEST(TSplines, ASubdivisionChangesThemOnlyWhereANodeProjectsIntoTheElement) {
+  int unchanged = 0;
+  int changed = 0;
+  int spurious = 0;
+  Draw draw(11);
+  for (int round = 0; round < 60; ++round) {
+    const RandomCase random = random_bare_case(draw, {5, 4, 7, 120, 160, 4});
+    Replay replay(random.content);
+    while (!replay.done()) replay.advance();
+    const Mesh mesh = mesh_of(replay.tree());
+    const TSplines splines = tsplines_of(mesh);
+    const Described before = described(mesh);
+    for (std::int32_t leaf = 0; leaf < replay.tree().node_count(); ++leaf) {
+      if (!replay.tree().is_leaf(leaf)) continue;
+      RefinementTree next = replay.tree();
+      next.subdivide(leaf);
+      next.update_ranks();
+      const Box& element = mesh.elements[at(mesh.locator.nodes[at(leaf)].first)];
+      const bool may = may_change_splines(splines, element, replay.tree().split_axis(leaf));
+      const bool does = described(mesh_of(next)) != before;
+      EXPECT_TRUE(may || !does) << write_case(random.content);
+      unchanged += !may;
+      changed += does;
+      spurious += may && !does;
+    }
+  }
+  EXPECT_GT(unchanged, 2'000);
+  EXPECT_GT(changed, 1'000);
+  EXPECT_LT(spurious, changed);
+}
+
 }  // namespace
 }  // namespace asts
