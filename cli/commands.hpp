@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,17 @@ struct EnumerateOptions {
   Format format = Format::text;
 };
 
+struct LedgerOptions {
+  std::vector<std::string> claims;
+  bool long_run = false;
+  std::uint64_t seed = 1;
+  std::optional<std::int64_t> cases;
+  int jobs = 1;
+  bool times = false;
+  std::string render_file;
+  Format format = Format::text;
+};
+
 struct ValidateOptions {
   std::vector<std::string> files;
   Format format = Format::text;
@@ -62,6 +74,7 @@ struct ValidateOptions {
 int check(const CheckOptions& options);
 int claims(const ClaimsOptions& options);
 int enumerate(const EnumerateOptions& options);
+int ledger(const LedgerOptions& options);
 int refine(const RefineOptions& options);
 int generate(const GenerateOptions& options);
 int validate(const ValidateOptions& options);

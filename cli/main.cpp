@@ -65,6 +65,7 @@ class CommandLine {
     add_check();
     add_claims();
     add_enumerate();
+    add_ledger();
     add_refine();
     add_generate();
     add_validate();
@@ -118,6 +119,22 @@ class CommandLine {
     command->callback([this] { chosen_ = [this] { return enumerate(enumerate_); }; });
   }
 
+  void add_ledger() {
+    CLI::App* command = app_.add_subcommand("ledger", "try all claims on random cases, and those that need none");
+    command->add_option("--claim", ledger_.claims, "only this claim (asts claims); may be given again")
+        ->allow_extra_args(false);
+    command->add_flag("--long", ledger_.long_run, "many more cases, and everything else as far as is reasonable");
+    command->add_option("--seed", ledger_.seed, "one seed, one result");
+    command->add_option("--cases", ledger_.cases, "random cases for each claim, instead of the usual number")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--jobs", ledger_.jobs, "processes at the same time; the result does not depend on it")
+        ->check(CLI::Range(1, 256));
+    command->add_flag("--times", ledger_.times, "say on stderr how long each claim took");
+    command->add_option("--render", ledger_.render_file, "run nothing: print the JSON lines of this file as Markdown");
+    add_format(*command, ledger_.format);
+    command->callback([this] { chosen_ = [this] { return ledger(ledger_); }; });
+  }
+
   void add_refine() {
     CLI::App* command = app_.add_subcommand("refine", "replay a case and count elements step by step");
     command->add_option("CASE", refine_.case_file, "a case file, or - for standard input")->required();
@@ -147,6 +164,7 @@ class CommandLine {
   CheckOptions check_;
   ClaimsOptions claims_;
   EnumerateOptions enumerate_;
+  LedgerOptions ledger_;
   RefineOptions refine_;
   GenerateOptions generate_;
   ValidateOptions validate_;

@@ -37,6 +37,11 @@ void print(std::string_view text) {
   }
 }
 
+void warn(std::string_view text) {
+  show_progress({});
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 void show_progress(const std::string& line) {
   static const bool terminal = isatty(STDERR_FILENO) != 0;
   static bool shown = false;

@@ -17,6 +17,9 @@ void stop_if_interrupted();
 /// they cannot be written.
 void print(std::string_view text);
 
+/// Writes something for a person to stderr.
+void warn(std::string_view text);
+
 /// A line of progress on stderr that the next one overwrites; nothing when stderr is no terminal. Empty: wipes it.
 void show_progress(const std::string& line);
 
