@@ -6,6 +6,7 @@
 #include "lib/exact/errors.hpp"
 #include "lib/spline/axis_overlap.hpp"
 #include "lib/spline/rectangles.hpp"
+#include "lib/spline/slices.hpp"
 
 namespace asts {
 
@@ -75,17 +76,6 @@ class Slices {
   std::vector<std::size_t> begin_;    ///< of each slice's visits
   std::vector<std::int32_t> visits_;  ///< twice the brick, plus 1 if it has the line
 };
-
-Box box_in_slice(Axis axis, HalfRank position, const Rectangle& rectangle) {
-  Box box;
-  std::size_t side = 0;
-  for (Axis other = 0; other < kDimension; ++other) {
-    box.lower[at(other)] = other == axis ? position : rectangle.lower[side];
-    box.upper[at(other)] = other == axis ? position : rectangle.upper[side];
-    if (other != axis) ++side;
-  }
-  return box;
-}
 
 std::optional<PerAxis<HalfRank>> least_common_point(const std::vector<Box>& first, const std::vector<Box>& second) {
   std::optional<PerAxis<HalfRank>> least;

@@ -9,7 +9,8 @@
 namespace asts {
 
 /// The perturbed region of an axis (Definition 5.1) as boxes of half ranks, without extent along the axis, disjoint as
-/// sets of lattice points (see Rectangle), ascending slice by slice.
+/// sets of lattice points (see Rectangle), ascending slice by slice. On a refinement of the initial mesh, where lines
+/// run along the active region's sides, equal regions are equal lists of boxes (see UnionIntersection).
 ///
 /// R_x(q) is the part of the slice S_x(q) (x = q inside the active region) that lies both in the support of a node of
 /// N_x(q) and in the support of an active node that is not in N_x(q). Slices at a q where no line runs are empty:

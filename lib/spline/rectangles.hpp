@@ -22,7 +22,8 @@ inline bool meet(const Rectangle& one, const Rectangle& other) {
 }
 
 /// The intersection of two unions of closed rectangles, as disjoint rectangles of lattice points, ascending by their
-/// lower corners.
+/// lower corners. Where all ends of the given rectangles are even, the result depends on the set of points alone: it
+/// has a rectangle for each maximal run of points of a row and each maximal series of neighbouring rows with that run.
 ///
 /// Both unions are painted as bits on the grid of the rectangles' own ends (lines and the intervals between them), rows
 /// along the first axis; the common bits are gathered into rectangles.
