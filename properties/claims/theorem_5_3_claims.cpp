@@ -45,7 +45,8 @@ constexpr std::array kClaims{
           .reflects = true},
     Claim{.id = "sigma-unperturbed",
           .source = "proof of Theorem 5.3, after the display of R^_x(xi)",
-          .statement = "in the same setting, for each xi: Sigma = S_x(xi) cut with the supports of the new active "
+          .statement = "for G in A and AS, an admissible G^ = subdiv(G, K) and each xi: Sigma = S_x(xi) cut with the "
+                       "supports of the new active "
                        "nodes meets neither R^_y nor R^_z",
           .kind = ClaimKind::theorem,
           .meshes = "a",
@@ -56,7 +57,8 @@ constexpr std::array kClaims{
           .reflects = true},
     Claim{.id = "new-node-split",
           .source = "proof of Theorem 5.3, the display of N^_x(xi)",
-          .statement = "in the same setting, for each xi: N^_x(xi) = N_x(xi) u (N^_A \\ N_A) and N^_A \\ N^_x(xi) = "
+          .statement = "for G in A and AS, an admissible G^ = subdiv(G, K) and each xi: N^_x(xi) = N_x(xi) u (N^_A \\ "
+                       "N_A) and N^_A \\ N^_x(xi) = "
                        "N_A \\ N^_x(xi) = N_A \\ N_x(xi)",
           .kind = ClaimKind::equation,
           .meshes = "a",
@@ -68,7 +70,8 @@ constexpr std::array kClaims{
           .reflects = true},
     Claim{.id = "new-node-split-repaired",
           .source = "proof of Theorem 5.3, the display of N^_x(xi)",
-          .statement = "in the same setting, for each xi and P = {v in N_A : (v_2, v_3) in [y, y+y~] x [z, z+z~]}: "
+          .statement = "for G in A and AS, an admissible G^ = subdiv(G, K) and each xi and P = {v in N_A : (v_2, v_3) "
+                       "in [y, y+y~] x [z, z+z~]}: "
                        "N^_x(xi) = N_x(xi) u (N^_A \\ N_A) u P and N^_A \\ N^_x(xi) = N_A \\ (N_x(xi) u P); the "
                        "supports of P \\ N_x(xi) add nothing to Sigma, and R^_x(xi) lies in R_x(xi) u Sigma",
           .kind = ClaimKind::equation,
@@ -80,7 +83,8 @@ constexpr std::array kClaims{
           .reflects = true},
     Claim{.id = "second-patch-sizes",
           .source = "proof of Theorem 5.3, after the box around Sigma",
-          .statement = "in the same setting: elements of the second-order patch, the patches of all elements in the "
+          .statement = "for G in A and AS and an admissible G^ = subdiv(G, K): elements of the second-order patch, the "
+                       "patches of all elements in the "
                        "patch of K, are of the same or smaller size than K along x and y",
           .kind = ClaimKind::theorem,
           .meshes = "a",
@@ -90,7 +94,8 @@ constexpr std::array kClaims{
           .reflects = true},
     Claim{.id = "sigma-extent",
           .source = "proof of Theorem 5.3, the boxes for Sigma and (w_1, w_2)",
-          .statement = "in the same setting, with mid(K) = (sigma, nu, tau) and eps = m^(-level(K)/3)/2, for each xi: "
+          .statement = "for G in A and AS and an admissible G^ = subdiv(G, K), with mid(K) = (sigma, nu, tau) and eps "
+                       "= m^(-level(K)/3)/2, for each xi: "
                        "Sigma within {xi} x [nu +- eps (p_2 + 2)] x [tau +- eps (p_3 + 2)], and (w_1, w_2) in "
                        "[xi +- eps (p_1 + 1)] x [nu +- eps (2 p_2 + 3)] for every w in N^_A whose support meets Sigma; "
                        "for level(K) = 1, 2 mod 3 eps is half of K's size along each axis",
