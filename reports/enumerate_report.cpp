@@ -8,7 +8,7 @@ namespace asts {
 
 namespace {
 
-constexpr const char* kRow = "{:<28} {:>12} {:>12} {:>12} {:>15} {:>10} {:>14}\n";
+constexpr const char* kRow = "{:<32} {:>12} {:>12} {:>12} {:>15} {:>10} {:>14}\n";
 
 }  // namespace
 
