@@ -2,6 +2,7 @@
 # ./build.sh install   install the missing packages of packages.txt (Debian 12; as root or through sudo)
 # ./build.sh verify    install, build the release, run it on the paper's own examples
 # ./build.sh test      install, build with warnings as errors, run all tests
+# ./build.sh ledger    build the release, try all claims at length, write the results to reports/ledger
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -41,6 +42,36 @@ verify() {
   build/release/asts check tests/cases/paper/*.case
 }
 
+# enumerate_lines DEGREE GRADING DOMAIN SUBDIVISIONS ADMISSIBLE OPTION...: what `asts enumerate` prints, each line with the
+# setting in front. A violation is a result, not a failure.
+enumerate_lines() {
+  local flags=("${@:6}")
+  [[ $5 == true ]] && flags+=(--admissible)
+  build/release/asts enumerate --degree "$1" --grading "$2" --domain "$3" --max-subdivisions "$4" "${flags[@]}" \
+    --format json >build/lines.jsonl || (($? == 1)) || return 3
+  sed "s/^{/{\"degree\":[$1],\"grading\":$2,\"domain\":[$3],\"max_subdivisions\":$4,\"admissible\":$5,/" build/lines.jsonl
+}
+
+enumerate_all() {
+  local inclusions=(--claim as-implies-dc --claim dc-implies-as)
+  enumerate_lines 3,3,3 2 4,4,5 3 false "${inclusions[@]}"
+  enumerate_lines 3,3,3 2 4,4,5 3 true "${inclusions[@]}"
+  enumerate_lines 3,3,3 2 5,5,8 2 false "${inclusions[@]}"
+}
+
+# The exit code is that of `asts ledger`.
+ledger() {
+  cmake --workflow --preset verify
+  local status=0
+  build/release/asts ledger --long --jobs "$(nproc)" --format json >build/ledger.jsonl || status=$?
+  ((status == 0 || status == 1 || status == 3)) || return "$status"
+  enumerate_all >build/enumerate.jsonl
+  mkdir -p reports/ledger
+  mv build/ledger.jsonl build/enumerate.jsonl reports/ledger/
+  build/release/asts ledger --render reports/ledger/ledger.jsonl reports/ledger/enumerate.jsonl >reports/ledger/README.md
+  return "$status"
+}
+
 case "${1:-}" in
   install) install_packages ;;
   verify)
@@ -51,8 +82,12 @@ case "${1:-}" in
     install_packages
     cmake --workflow --preset test
     ;;
+  ledger)
+    install_packages
+    ledger
+    ;;
   *)
-    sed -n '2,4s/^# //p' "$0" >&2
+    sed -n '2,5s/^# //p' "$0" >&2
     exit 2
     ;;
 esac

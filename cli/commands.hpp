@@ -60,7 +60,7 @@ struct LedgerOptions {
   std::optional<std::int64_t> cases;
   int jobs = 1;
   bool times = false;
-  std::string render_file;
+  std::vector<std::string> rendered;
   Format format = Format::text;
 };
 

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "cli/commands.hpp"
 #include "cli/processes.hpp"
 #include "cli/statements.hpp"
 #include "cli/terminal.hpp"
 #include "lib/exact/errors.hpp"
+#include "reports/checked_in_ledger.hpp"
 #include "reports/ledger_report.hpp"
 
 namespace asts::cli {
@@ -114,25 +116,26 @@ int exit_code(const Run& run) {
   return any(surprising) ? kViolated : any(undecided) ? kFailure : kHolds;
 }
 
-int render(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be opened");
-  std::vector<LedgerRecord> records;
-  for (std::string line; std::getline(file, line);) {
-    try {
-      records.push_back(ledger_from_json(line));
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}:{}: {}", path, records.size() + 1, error.what()));
-    }
+int render(const std::vector<std::string>& paths) {
+  std::string lines;
+  for (const std::string& path : paths) {
+    std::ifstream file(path);
+    std::ostringstream content;
+    if (!file || !(content << file.rdbuf())) throw InputError(path + ": cannot be read");
+    lines += content.str();
   }
-  print(ledger_markdown(records));
+  try {
+    print(ledger_markdown(read_ledger(lines)));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:{}", fmt::join(paths, "+"), error.what()));
+  }
   return kHolds;
 }
 
 }  // namespace
 
 int ledger(const LedgerOptions& options) {
-  if (!options.render_file.empty()) return render(options.render_file);
+  if (!options.rendered.empty()) return render(options.rendered);
   const LedgerPlan plan = plan_of(options);
   const Run run = plan.shares == 1 ? run_here(plan, options.times) : run_shares(plan);
   if (options.format == Format::json) {

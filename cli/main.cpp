@@ -130,7 +130,7 @@ class CommandLine {
     command->add_option("--jobs", ledger_.jobs, "processes at the same time; the result does not depend on it")
         ->check(CLI::Range(1, 256));
     command->add_flag("--times", ledger_.times, "say on stderr how long each claim took");
-    command->add_option("--render", ledger_.render_file, "run nothing: print the JSON lines of this file as Markdown");
+    command->add_option("--render", ledger_.rendered, "run nothing: print the JSON lines of these files as Markdown");
     add_format(*command, ledger_.format);
     command->callback([this] { chosen_ = [this] { return ledger(ledger_); }; });
   }

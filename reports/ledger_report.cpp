@@ -13,11 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json bounds_json(const LedgerBounds& bounds) {
-  return {{"domain", bounds.domain}, {"degree", bounds.degree},     {"grading", bounds.grading},
-          {"level", bounds.level},   {"elements", bounds.elements}, {"active_nodes", bounds.active_nodes}};
-}
-
 LedgerBounds bounds_from(const Json& json) {
   return {json.at("domain"), json.at("degree"),   json.at("grading"),
           json.at("level"),  json.at("elements"), json.at("active_nodes")};
@@ -61,6 +56,11 @@ std::string violation_text(const Verdict& verdict) {
 const char* status_of(const LedgerRecord& record) {
   const Claim* claim = find_claim(record.claim);
   return claim == nullptr ? "unknown" : status_name(*claim);
+}
+
+Json bounds_json(const LedgerBounds& bounds) {
+  return {{"domain", bounds.domain}, {"degree", bounds.degree},     {"grading", bounds.grading},
+          {"level", bounds.level},   {"elements", bounds.elements}, {"active_nodes", bounds.active_nodes}};
 }
 
 std::string ledger_json(const LedgerRecord& record) {

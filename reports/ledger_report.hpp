@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,10 +20,10 @@ const char* status_of(const LedgerRecord& record);
 std::string ledger_json(const LedgerRecord& record);
 LedgerRecord ledger_from_json(std::string_view line);
 
+/// The bounds alone, as in a record.
+nlohmann::ordered_json bounds_json(const LedgerBounds& bounds);
+
 /// For a person: a table, and below it what violates a claim.
 std::string ledger_text(std::span<const LedgerRecord> records);
-
-/// The same as Markdown, with the bounds and the tallies.
-std::string ledger_markdown(std::span<const LedgerRecord> records);
 
 }  // namespace asts

@@ -23,34 +23,6 @@ std::string violation_text(const LedgerRecord& record) {
                      content, record.smallest->says);
 }
 
-template <std::size_t N>
-std::string joined(const std::array<int, N>& numbers) {
-  return fmt::format("{}", fmt::join(numbers, " "));
-}
-
-std::string bounds_text(const LedgerBounds& bounds) {
-  if (bounds.grading == 0) return "";
-  return fmt::format("{} | {} | {} | {} | {}", joined(bounds.degree), bounds.grading, joined(bounds.domain),
-                     bounds.level, bounds.elements);
-}
-
-std::string markdown_row(const LedgerRecord& record) {
-  const std::string bounds = bounds_text(record.bounds);
-  return fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} |\n", record.claim, status_of(record),
-                     result_name(record.result()), record.meshes, record.sequences, record.trials_met, record.met,
-                     record.violated, bounds.empty() ? "| | | |" : bounds);
-}
-
-std::string tally_markdown(const LedgerRecord& record) {
-  if (record.biases.empty()) return {};
-  std::string result = fmt::format("- `{}`:", record.claim);
-  for (const auto& [name, count] : record.features) result += fmt::format(" {} {},", name, count);
-  result += record.features.empty() ? "" : " of";
-  for (const auto& [name, count] : record.biases) result += fmt::format(" {} {},", name, count);
-  result.back() = '\n';
-  return result;
-}
-
 }  // namespace
 
 std::string ledger_text(std::span<const LedgerRecord> records) {
@@ -58,16 +30,6 @@ std::string ledger_text(std::span<const LedgerRecord> records) {
                                    "holds", "violated", "not-appl.", "undecided", "trials-met", "met");
   for (const LedgerRecord& record : records) result += text_row(record);
   for (const LedgerRecord& record : records) result += violation_text(record);
-  return result;
-}
-
-std::string ledger_markdown(std::span<const LedgerRecord> records) {
-  std::string result =
-      "| claim | status | result | distinct meshes | sequences | trials met | met | violated | degree | m | domain | "
-      "level | elements |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-  for (const LedgerRecord& record : records) result += markdown_row(record);
-  result += "\nWhere the decided trials came from (features of the meshes, then biases of the cases):\n\n";
-  for (const LedgerRecord& record : records) result += tally_markdown(record);
   return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lib/spline/support_contacts.hpp"
+
 namespace asts {
 
 namespace {
@@ -58,6 +60,12 @@ bool refined_outside_region(const Mesh& mesh) {
 
 std::vector<std::string> features_of(MeshUnderTest& mesh) {
   std::vector<std::string> features;
+  if (!mesh.splines().missing) {
+    const SupportContacts contacts = count_contacts(mesh.splines(), mesh.bricks());
+    if (contacts.by_dimension[2] > 0) features.emplace_back("supports-touch-in-face");
+    if (contacts.by_dimension[1] > 0) features.emplace_back("supports-touch-in-edge");
+    if (contacts.by_dimension[0] > 0) features.emplace_back("supports-touch-in-point");
+  }
   if (refined_outside_region(mesh.mesh())) features.emplace_back("refined-outside-region");
   if (!mesh.admissible()) features.emplace_back("not-admissible");
   return features;

@@ -110,6 +110,9 @@ TEST(Ledger, TriesEveryMeshOnceAndCounts) {
   EXPECT_EQ(biased, record.meshes);
   EXPECT_GE(record.features.at("refined-outside-region"), record.meshes / 4);
   EXPECT_LT(record.features.at("not-admissible"), record.meshes);
+  for (const char* touching : {"supports-touch-in-face", "supports-touch-in-edge", "supports-touch-in-point"}) {
+    EXPECT_GE(record.features.at(touching), 3) << touching;
+  }
 }
 
 // Which meshes a claim gets: those of its class, and no others.
