@@ -13,6 +13,8 @@ RandomCase bare_case_in(Draw& draw, const Setting& setting, const CaseLimits& li
 RandomCase box_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias);
 RandomCase trouble_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias);
 
+RandomCase planar_inside_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits);
+
 /// The setting of a trouble bias.
 Setting trouble_setting(Draw& draw, const CaseLimits& limits, Bias bias);
 

@@ -153,7 +153,34 @@ std::size_t thin_axis(Draw& draw, const Setting& setting) {
   return thin.empty() ? draw.index(kDimension) : draw.choose(thin);
 }
 
+/// A cut along a whole line of the planar mesh, or one with an end or two in the interior of the active region, at
+/// integers.
+void cut_inside(const Work& work) {
+  const Setting& setting = work.setting;
+  const std::size_t across = (work.axis + 1 + work.draw.index(kDimension - 1)) % kDimension;
+  const std::size_t along = kDimension - work.axis - across;
+  RationalBox region;
+  for (std::size_t axis = 0; axis < kDimension; ++axis) region.upper[axis] = setting.domain[axis];
+  const auto frame = [&](std::size_t axis) { return (setting.degree[axis] + 1) / 2; };
+  int first_cell = 0;
+  if (const int first = frame(along) + 1, last = setting.domain[along] - first; first <= last && !work.draw.one_in(4)) {
+    const int end = work.draw.between(first, last);
+    (work.draw.one_in(2) ? region.lower : region.upper)[along] = end;
+    if (end < last && region.lower[along] == end && work.draw.one_in(3)) region.upper[along] = last;
+    first_cell = frame(across);
+  }
+  const int cell = work.draw.between(first_cell, setting.domain[across] - 1 - first_cell);
+  work.tiling.cut(across, random_between(work.draw, cell, cell + 1), region);
+}
+
 }  // namespace
+
+RandomCase planar_inside_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits) {
+  BoxTiling tiling(setting, draw, false);
+  const Work work{draw, setting, tiling, thin_axis(draw, setting)};
+  for (int cuts = draw.between(2, std::max(2, std::min(limits.max_steps, 6))); cuts > 0; --cuts) cut_inside(work);
+  return {explicit_case(draw, setting, tiling.boxes()), Bias::boxes_planar_inside};
+}
 
 RandomCase random_box_case(Draw& draw, const CaseLimits& limits) {
   const Bias bias = draw.choose(std::vector{Bias::boxes_cut, Bias::boxes_merged, Bias::boxes_frame,

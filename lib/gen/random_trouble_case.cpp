@@ -181,6 +181,7 @@ RandomCase in_small_region(Draw& draw, const Setting& setting, const CaseLimits&
 }  // namespace
 
 RandomCase trouble_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias) {
+  if (bias == Bias::boxes_planar_inside) return planar_inside_case_in(draw, setting, limits);
   if (bias >= Bias::region_point) return {in_small_region(draw, setting, limits).content, bias};
   const std::int64_t cubes = std::int64_t{setting.domain[0]} * setting.domain[1] * setting.domain[2];
   const bool interface = bias == Bias::bare_interface;

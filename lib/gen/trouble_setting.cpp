@@ -46,12 +46,22 @@ void stretch_for_interface(Draw& draw, const CaseLimits& limits, Setting& settin
   }
 }
 
+/// Thin along one axis; along the others the region has one or two integers in its interior.
+void make_planar(Draw& draw, Setting& setting) {
+  const std::size_t thin = draw.index(kDimension);
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    setting.domain[axis] = setting.degree[axis] + (axis == thin ? 1 : draw.between(3, 4));
+  }
+}
+
 }  // namespace
 
 Setting trouble_setting(Draw& draw, const CaseLimits& limits, Bias bias) {
   Setting setting = random_setting(draw, limits);
   if (bias == Bias::bare_interface) {
     stretch_for_interface(draw, limits, setting);
+  } else if (bias == Bias::boxes_planar_inside) {
+    make_planar(draw, setting);
   } else if (thin_axes(bias) > 0) {
     make_thin(draw, setting, thin_axes(bias));
   }

@@ -13,7 +13,7 @@ namespace asts {
 
 namespace {
 
-constexpr std::int64_t kShortCases = 400;
+constexpr std::int64_t kShortCases = 1500;
 constexpr std::int64_t kLongCases = 20'000;
 /// The two inclusions of Theorem 6.6 are tried on a million meshes each.
 constexpr std::int64_t kManyCases = 500'000;

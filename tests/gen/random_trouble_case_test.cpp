@@ -11,6 +11,7 @@
 #include "lib/refine/refinement.hpp"
 #include "lib/refine/replay.hpp"
 #include "lib/spline/active_region.hpp"
+#include "properties/claims/claim.hpp"
 #include "properties/properties.hpp"
 #include "tests/literal_mesh.hpp"
 
@@ -22,7 +23,9 @@ const std::array<CaseLimits, 3> kLimits{CaseLimits{}, CaseLimits{3, 2, 4, 64, 70
 
 bool is_interface(Bias bias) { return bias == Bias::bare_interface; }
 
-bool is_region(Bias bias) { return bias >= Bias::region_point; }
+bool is_region(Bias bias) { return bias >= Bias::region_point && bias <= Bias::region_plane; }
+
+bool is_planar(Bias bias) { return bias == Bias::boxes_planar_inside; }
 
 std::int64_t cubes_of(const Case& content) {
   return std::int64_t{content.domain[0]} * content.domain[1] * content.domain[2];
@@ -35,11 +38,15 @@ void expect_limits(const RandomCase& random, const CaseLimits& limits) {
   for (std::size_t axis = 0; axis < kDimension; ++axis) {
     const int p = content.degree[axis];
     EXPECT_LE(p, limits.max_degree);
-    const int side = is_interface(random.bias) ? 2 * p + 3 : is_region(random.bias) ? p + 2 : p + 1;
+    const int side = is_interface(random.bias) ? 2 * p + 3
+                     : is_planar(random.bias)  ? p + 4
+                     : is_region(random.bias)  ? p + 2
+                                               : p + 1;
     EXPECT_LE(content.domain[axis], std::max(limits.max_side, side));
   }
   EXPECT_LE(content.grading, limits.max_grading);
   EXPECT_LE(static_cast<int>(content.steps.size()), std::max(limits.max_steps + 1, 3));
+  if (content.explicit_mesh) return;
   Replay replay(content);
   while (!replay.done()) replay.advance();
   const std::int64_t room = cubes_of(content) + (is_interface(random.bias) ? 12 : 2) * new_elements;
@@ -51,8 +58,8 @@ void expect_kind(const RandomCase& random) {
     return std::any_of(random.content.steps.begin(), random.content.steps.end(),
                        [kind](const Step& step) { return step.kind == kind; });
   };
-  EXPECT_FALSE(random.content.explicit_mesh);
-  if (is_region(random.bias)) return;
+  EXPECT_EQ(random.content.explicit_mesh, is_planar(random.bias));
+  if (is_region(random.bias) || is_planar(random.bias)) return;
   EXPECT_EQ(has(Step::Kind::subdivide), random.bias >= Bias::bare_smaller_patch);
   if (random.bias < Bias::bare_smaller_patch) return;
   EXPECT_FALSE(has(Step::Kind::refine));
@@ -98,7 +105,7 @@ TEST(Biases, HaveNamesOfTheirOwn) {
   EXPECT_EQ(names.size(), all_biases().size());
   EXPECT_EQ(plain_biases().size() + trouble_biases().size(), all_biases().size());
   EXPECT_EQ(bias_name(Bias::marks_edge), std::string("marks-edge"));
-  EXPECT_EQ(bias_name(Bias::region_plane), std::string("region-plane"));
+  EXPECT_EQ(bias_name(Bias::boxes_planar_inside), std::string("boxes-planar-inside"));
 }
 
 /// How many axes the active region has an extent on.
@@ -201,6 +208,22 @@ TEST(RandomTroubleCase, BiasesProvokeWhatTheyAreNamedFor) {
   }
   EXPECT_GE(8 * tally_of(Bias::bare_smaller_patch, 200, {}).not_admissible, 200);
   EXPECT_GE(tally_of(Bias::bare_holes, 400, {}).not_admissible, 4);
+}
+
+// The planar meshes that Definition 5.2's remark is about, with T-junctions of both directions in many of them.
+TEST(RandomTroubleCase, PlanarCutsEndInsideTheActiveRegionOrNotAtAll) {
+  const Claim& remark = *find_claim("planar-equals-classical");
+  int with_pairs = 0;
+  Draw draw(10);
+  for (int round = 0; round < 100; ++round) {
+    const Setting setting = setting_for(draw, {}, Bias::boxes_planar_inside);
+    const Case content = random_case_in(draw, setting, {}, Bias::boxes_planar_inside).content;
+    MeshUnderTest mesh(mesh_of(setting, content.elements));
+    const Trial trial = try_on_mesh(remark, mesh);
+    ASSERT_NE(trial.verdict.outcome, Outcome::not_applicable) << trial.verdict.reason << '\n' << write_case(content);
+    with_pairs += trial.met > 0;
+  }
+  EXPECT_GE(with_pairs, 20);
 }
 
 // Index vectors that differ, with supports that have one plane in common: Definition 5.1 intersects closed supports,
