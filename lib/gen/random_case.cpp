@@ -11,20 +11,20 @@ namespace asts {
 namespace {
 
 constexpr std::array kBiases{
-    Bias::marks_anywhere,     Bias::marks_clustered, Bias::marks_corner,       Bias::marks_deep,
-    Bias::bare_scattered,     Bias::bare_stacked,    Bias::bare_one_left_out,  Bias::bare_touching,
-    Bias::bare_in_frame,      Bias::boxes_cut,       Bias::boxes_merged,       Bias::boxes_frame,
-    Bias::boxes_pinwheel,     Bias::boxes_planar,    Bias::boxes_written_out,  Bias::marks_edge,
-    Bias::marks_face,         Bias::marks_uniform,   Bias::bare_smaller_patch, Bias::bare_interface,
-    Bias::bare_holes,         Bias::region_point,    Bias::region_segment,     Bias::region_plane,
-    Bias::boxes_planar_inside};
+    Bias::marks_anywhere, Bias::marks_clustered,    Bias::marks_corner,      Bias::marks_deep,
+    Bias::bare_scattered, Bias::bare_stacked,       Bias::bare_one_left_out, Bias::bare_touching,
+    Bias::bare_in_frame,  Bias::boxes_cut,          Bias::boxes_merged,      Bias::boxes_frame,
+    Bias::boxes_pinwheel, Bias::boxes_planar,       Bias::boxes_written_out, Bias::marks_edge,
+    Bias::marks_face,     Bias::marks_uniform,      Bias::marks_graded,      Bias::bare_smaller_patch,
+    Bias::bare_interface, Bias::bare_holes,         Bias::region_point,      Bias::region_segment,
+    Bias::region_plane,   Bias::boxes_planar_inside};
 
 constexpr std::array kNames{
-    "marks-anywhere", "marks-clustered",   "marks-corner",   "marks-deep",         "bare-scattered",
-    "bare-stacked",   "bare-one-left-out", "bare-touching",  "bare-in-frame",      "boxes-cut",
-    "boxes-merged",   "boxes-frame",       "boxes-pinwheel", "boxes-planar",       "boxes-written-out",
-    "marks-edge",     "marks-face",        "marks-uniform",  "bare-smaller-patch", "bare-interface",
-    "bare-holes",     "region-point",      "region-segment", "region-plane",       "boxes-planar-inside"};
+    "marks-anywhere",    "marks-clustered",    "marks-corner",      "marks-deep", "bare-scattered", "bare-stacked",
+    "bare-one-left-out", "bare-touching",      "bare-in-frame",     "boxes-cut",  "boxes-merged",   "boxes-frame",
+    "boxes-pinwheel",    "boxes-planar",       "boxes-written-out", "marks-edge", "marks-face",     "marks-uniform",
+    "marks-graded",      "bare-smaller-patch", "bare-interface",    "bare-holes", "region-point",   "region-segment",
+    "region-plane",      "boxes-planar-inside"};
 static_assert(kNames.size() == kBiases.size());
 
 constexpr std::size_t kPlainBiases = 15;

@@ -40,16 +40,18 @@ enum class Bias {
   boxes_planar,       ///< cuts of a planar mesh, extruded along one axis
   boxes_written_out,  ///< a bare or admissible case's last mesh as boxes in random order
   // trouble: drawn by random_trouble_case only
-  marks_edge,           ///< admissible: elements along one edge of the domain
-  marks_face,           ///< admissible: elements along one face of the domain
-  marks_uniform,        ///< admissible: all elements, again and again
-  bare_smaller_patch,   ///< closures with an environment that reaches one element less far
-  bare_interface,       ///< a column of elements whose levels fall with the distance from one of them, with gaps, on an
-                        ///< axis so long that supports of nodes above and below have exactly one plane in common
-  bare_holes,           ///< every element subdivided but for few large holes
-  region_point,         ///< the active region is a point; steps of all kinds
-  region_segment,       ///< the active region is a segment
-  region_plane,         ///< the active region is a rectangle
+  marks_edge,          ///< admissible: elements along one edge of the domain
+  marks_face,          ///< admissible: elements along one face of the domain
+  marks_uniform,       ///< admissible: all elements, again and again
+  marks_graded,        ///< admissible: one element again and again on a domain so long that levels fall to 0 inside the
+                       ///< active region: on others the perturbed regions of two axes are never both there
+  bare_smaller_patch,  ///< closures with an environment that reaches one element less far
+  bare_interface,      ///< a column of elements whose levels fall with the distance from one of them, with gaps, on an
+                       ///< axis so long that supports of nodes above and below have exactly one plane in common
+  bare_holes,          ///< every element subdivided but for few large holes
+  region_point,        ///< the active region is a point; steps of all kinds
+  region_segment,      ///< the active region is a segment
+  region_plane,        ///< the active region is a rectangle
   boxes_planar_inside,  ///< boxes: cuts of a planar mesh of unit squares that end inside the active region or not at
                         ///< all
 };

@@ -10,6 +10,9 @@ namespace {
 
 using Leaves = std::vector<std::int32_t>;
 
+constexpr int kGradedSteps = 12;
+constexpr std::int64_t kGradedElements = 900;
+
 void make_distinct(Leaves& leaves) {
   std::sort(leaves.begin(), leaves.end());
   leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
@@ -57,6 +60,16 @@ void refine_along(Draw& draw, GrowingCase& growing, int steps, std::size_t fixed
 void refine_all(GrowingCase& growing, int steps) {
   for (; steps > 0; --steps) {
     if (!growing.add(Step::Kind::refine, leaves_of(growing.tree()))) return;
+  }
+}
+
+/// Twelve steps, most of them at one point.
+void refine_graded(Draw& draw, GrowingCase& growing) {
+  const Point focus = random_point(draw, growing.tree().setting());
+  for (int step = 0; step < kGradedSteps; ++step) {
+    const Point mark = step < 2 || !draw.one_in(4) ? focus : random_point(draw, growing.tree().setting());
+    const std::int32_t leaf = growing.tree().leaf_at(mark);
+    growing.add(Step::Kind::refine, {&leaf, 1});
   }
 }
 
@@ -184,10 +197,11 @@ RandomCase trouble_case_in(Draw& draw, const Setting& setting, const CaseLimits&
   if (bias == Bias::boxes_planar_inside) return planar_inside_case_in(draw, setting, limits);
   if (bias >= Bias::region_point) return {in_small_region(draw, setting, limits).content, bias};
   const std::int64_t cubes = std::int64_t{setting.domain[0]} * setting.domain[1] * setting.domain[2];
-  const bool interface = bias == Bias::bare_interface;
-  // a column of few cubes needs room for some subdivisions, whatever its domain has taken
-  GrowingCase growing(
-      setting, interface ? std::max(limits.max_elements, cubes + 12 * (setting.grading - 1)) : limits.max_elements);
+  // a column of few cubes needs room for some subdivisions, whatever its domain has taken, and graded meshes are long
+  const std::int64_t least = bias == Bias::bare_interface ? cubes + 12 * (setting.grading - 1)
+                             : bias == Bias::marks_graded ? kGradedElements
+                                                          : 0;
+  GrowingCase growing(setting, std::max(limits.max_elements, least));
   const int steps = draw.between(1, limits.max_steps);
   switch (bias) {
     case Bias::marks_edge:
@@ -198,6 +212,9 @@ RandomCase trouble_case_in(Draw& draw, const Setting& setting, const CaseLimits&
       break;
     case Bias::marks_uniform:
       refine_all(growing, steps);
+      break;
+    case Bias::marks_graded:
+      refine_graded(draw, growing);
       break;
     case Bias::bare_smaller_patch:
       subdivide_smaller_closures(draw, growing, steps);

@@ -46,6 +46,17 @@ void stretch_for_interface(Draw& draw, const CaseLimits& limits, Setting& settin
   }
 }
 
+/// Long along one axis, and with a region that is no point along the others: then a mesh of few elements has them of
+/// levels 0, 1 and 2 in the region.
+void stretch_for_grading(Draw& draw, Setting& setting) {
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    setting.domain[axis] = setting.degree[axis] + 1 + (draw.one_in(4) ? 0 : draw.between(1, 2));
+  }
+  const std::size_t longest = draw.index(kDimension);
+  const int least = setting.degree[longest] + 1;
+  setting.domain[longest] = draw.between(2 * least + 2, 4 * least);
+}
+
 /// Thin along one axis; along the others the region has one or two integers in its interior.
 void make_planar(Draw& draw, Setting& setting) {
   const std::size_t thin = draw.index(kDimension);
@@ -60,6 +71,8 @@ Setting trouble_setting(Draw& draw, const CaseLimits& limits, Bias bias) {
   Setting setting = random_setting(draw, limits);
   if (bias == Bias::bare_interface) {
     stretch_for_interface(draw, limits, setting);
+  } else if (bias == Bias::marks_graded) {
+    stretch_for_grading(draw, setting);
   } else if (bias == Bias::boxes_planar_inside) {
     make_planar(draw, setting);
   } else if (thin_axes(bias) > 0) {

@@ -23,6 +23,8 @@ const std::array<CaseLimits, 3> kLimits{CaseLimits{}, CaseLimits{3, 2, 4, 64, 70
 
 bool is_interface(Bias bias) { return bias == Bias::bare_interface; }
 
+bool is_graded(Bias bias) { return bias == Bias::marks_graded; }
+
 bool is_region(Bias bias) { return bias >= Bias::region_point && bias <= Bias::region_plane; }
 
 bool is_planar(Bias bias) { return bias == Bias::boxes_planar_inside; }
@@ -39,17 +41,19 @@ void expect_limits(const RandomCase& random, const CaseLimits& limits) {
     const int p = content.degree[axis];
     EXPECT_LE(p, limits.max_degree);
     const int side = is_interface(random.bias) ? 2 * p + 3
+                     : is_graded(random.bias)  ? 4 * (p + 1)
                      : is_planar(random.bias)  ? p + 4
                      : is_region(random.bias)  ? p + 2
                                                : p + 1;
     EXPECT_LE(content.domain[axis], std::max(limits.max_side, side));
   }
   EXPECT_LE(content.grading, limits.max_grading);
-  EXPECT_LE(static_cast<int>(content.steps.size()), std::max(limits.max_steps + 1, 3));
+  EXPECT_LE(static_cast<int>(content.steps.size()), std::max(limits.max_steps + 1, is_graded(random.bias) ? 12 : 3));
   if (content.explicit_mesh) return;
   Replay replay(content);
   while (!replay.done()) replay.advance();
-  const std::int64_t room = cubes_of(content) + (is_interface(random.bias) ? 12 : 2) * new_elements;
+  const std::int64_t room = std::max<std::int64_t>(
+      cubes_of(content) + (is_interface(random.bias) ? 12 : 2) * new_elements, is_graded(random.bias) ? 900 : 0);
   EXPECT_LE(replay.tree().element_count(), std::max(limits.max_elements, room));
 }
 
@@ -198,7 +202,7 @@ BiasTally tally_of(Bias bias, int rounds, const CaseLimits& limits) {
 
 // Biases that provoke nothing would make a campaign look thorough: each provokes what it is named for.
 TEST(RandomTroubleCase, BiasesProvokeWhatTheyAreNamedFor) {
-  for (const Bias bias : {Bias::marks_edge, Bias::marks_face, Bias::marks_uniform}) {
+  for (const Bias bias : {Bias::marks_edge, Bias::marks_face, Bias::marks_uniform, Bias::marks_graded}) {
     EXPECT_EQ(tally_of(bias, 100, {}).not_admissible, 0) << bias_name(bias);
   }
   for (const Bias bias : {Bias::region_point, Bias::region_segment, Bias::region_plane}) {
