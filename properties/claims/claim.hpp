@@ -81,6 +81,9 @@ struct Claim {
 /// All claims in the order of the ledger, a repaired form behind its original.
 const std::vector<Claim>& all_claims();
 
+/// The ids of the statements of the paper that can be tested, in its order: what all_claims() must have.
+std::span<const std::string_view> ledger_ids();
+
 /// nullptr if there is none.
 const Claim* find_claim(std::string_view id);
 

@@ -102,6 +102,8 @@ const std::vector<Claim>& all_claims() {
   return claims;
 }
 
+std::span<const std::string_view> ledger_ids() { return kOrder; }
+
 const Claim* find_claim(std::string_view id) {
   for (const Claim& claim : all_claims()) {
     if (claim.id == id) return &claim;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "lib/mesh/case_file.hpp"
@@ -60,6 +62,21 @@ TEST(Claims, HaveUniqueIdsAndSomethingToDecide) {
   for (const Claim& claim : all_claims()) {
     EXPECT_TRUE(ids.insert(claim.id).second) << claim.id;
     EXPECT_TRUE(claim.on_mesh || claim.on_sequence || claim.alone) << claim.id;
+  }
+}
+
+TEST(Claims, OfTheLedgerAreAllThere) {
+  EXPECT_EQ(ledger_ids().size(), 43U);
+  for (const std::string_view id : ledger_ids()) EXPECT_NE(find_claim(id), nullptr) << id;
+}
+
+// The index of the findings names each of them, and nothing that is not refuted.
+TEST(Claims, ThatAreRefutedStandInTheIndexOfFindings) {
+  std::ifstream file(kFindings / "README.md");
+  const std::string index{std::istreambuf_iterator<char>(file), {}};
+  for (const Claim& claim : all_claims()) {
+    const std::string link = std::string("[") + claim.id + "](" + claim.id + ".md)";
+    EXPECT_EQ(index.find(link) != std::string::npos, claim.refuted) << claim.id;
   }
 }
 
