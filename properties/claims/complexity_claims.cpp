@@ -4,6 +4,7 @@
 #include "properties/claims/complexity_bounds.hpp"
 #include "properties/claims/distance_bound.hpp"
 #include "properties/claims/experiment.hpp"
+#include "properties/claims/lambda_sums.hpp"
 
 namespace asts {
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr const char* kFarMarks = "pairs of a mark K' and an element other than K' that is subdivided for it";
 constexpr const char* kClosureSteps = "steps in which more than the marks is subdivided; alone: certified m";
+
+constexpr const char* kReachedPairs = "pairs of a new element K and a mark K~ of level >= 1 with lambda(K,K~) > 0";
 
 constexpr std::array kClaims{
     Claim{.id = "distance-bound",
@@ -47,8 +50,19 @@ constexpr std::array kClaims{
               "lambda(K,K~) over K in G_J \\ G_0 is <= C",
           .kind = ClaimKind::equation,
           .meshes = "a",
-          .met_means = "pairs of a new element K and a mark K~ of level >= 1 with lambda(K,K~) > 0",
+          .met_means = kReachedPairs,
+          .refuted = true,
           .on_sequence = lambda_sums_on_sequence,
+          .stride = 2},
+    Claim{.id = "lambda-sums-repaired",
+          .source = "proof of Theorem 7.1, (3) and (4)",
+          .statement =
+              "the same with the d_1, d_2, d_3 of distance-bound-repaired in lambda and in C; with the printed "
+              "constants for m <= 1267",
+          .kind = ClaimKind::equation,
+          .meshes = "a",
+          .met_means = kReachedPairs,
+          .on_sequence = lambda_sums_repaired_on_sequence,
           .stride = 2},
     Claim{.id = "experiment-constant",
           .source = "Section 7, experiment",

@@ -6,6 +6,7 @@
 
 #include "lib/mesh/case.hpp"
 #include "lib/refine/replay.hpp"
+#include "lib/refine/subdivided_elements.hpp"
 #include "properties/witness.hpp"
 
 namespace asts {
@@ -22,9 +23,24 @@ struct MarkedSequence {
   std::vector<ElementInfo> new_elements;  ///< G_J \ G_0, when asked for
 };
 
+/// The same where the meshes are too large to be built: the subdivided elements in place of the new ones.
+struct NarrowSequence {
+  std::vector<LevelCell> marks;
+  SubdividedElements subdivided;
+};
+
 enum class NewElements { count, list };
+
+/// Whether each step is a call of Algorithm 2.9, none a bare subdivision.
+bool refines_only(const Case& sequence);
 
 /// Replays the case. Nothing when a step is a bare subdivision.
 std::optional<MarkedSequence> follow(const Case& sequence, NewElements wanted);
+
+/// Whether every mesh of the case has at most so many elements. Replays it up to the first one that has more.
+bool stays_below(const Case& sequence, std::int64_t elements);
+
+/// REQUIRES: refines_only.
+NarrowSequence follow_narrowly(const Case& sequence);
 
 }  // namespace asts

@@ -13,9 +13,11 @@
 #include "properties/claims/complexity_bounds.hpp"
 #include "properties/claims/distance_bound.hpp"
 #include "properties/claims/experiment.hpp"
+#include "properties/claims/lambda_sums.hpp"
 #include "tests/literal_mesh.hpp"
 #include "tests/properties/claim_checks.hpp"
 #include "tests/reference/corner_experiment.hpp"
+#include "tests/reference/lambda_chain.hpp"
 
 namespace asts {
 
@@ -250,6 +252,7 @@ TEST(ComplexityBound, AndLambdaSumsAgreeWithTheLiteralCode) {
     EXPECT_EQ(sums, reference::lambda_sums_hold(sequence, reach, scale));
     EXPECT_FALSE(judge_complexity(marked, constant));
     EXPECT_FALSE(judge_lambda_sums(marked, scaled(d, 2), constant, met));
+    EXPECT_EQ(try_on_sequence(*find_claim("lambda-sums-repaired"), content).verdict.outcome, Outcome::holds);
     failed += !bounded + !sums;
   }
   EXPECT_GT(failed, 40) << "the scales are small enough to tell the two apart";
@@ -273,6 +276,101 @@ TEST(ComplexityBound, FollowsMarksByHand) {
   EXPECT_EQ(marked.marks[0].level, 0);
   EXPECT_EQ(marked.marks[1].level, 1);
   EXPECT_EQ(marked.new_elements.size(), 3U);
+}
+
+// ---- the sums for large m
+
+/// The findings' sequence: three cubes in a row along x. Marks the elements of level 0, 1, 2, 3 at slab `first` of
+/// width 1/m, then in each slab from there on the last slice of level 4, up to the slab with 12 others before [2,3].
+Case chain_of_marks(int m, int first) {
+  Case result{{3, 3, 3}, m, {3, 1, 1}, {}, false, {}};
+  const auto mark = [&](const Rational& x) {
+    result.steps.push_back({Step::Kind::refine, {{CompactRational(x), CompactRational(), CompactRational()}}});
+  };
+  mark(0);
+  for (int level = 1; level <= 3; ++level) mark(Rational(first) / m);
+  for (int slab = first; slab <= 2 * m - 13; ++slab) mark((Rational(slab + 1) - Rational(1) / m) / m);
+  return result;
+}
+
+const ClaimWitness& witness_of(const Trial& trial) { return std::get<ClaimWitness>(*trial.verdict.witness); }
+
+// By hand for m = 1331, where m^(1/3) = 11: see the finding.
+TEST(LambdaSums, AreBelow1ForGrading1331) {
+  const Case chain = chain_of_marks(1331, 1329);
+  EXPECT_EQ(chain.steps.size(), 1325U);
+  const Trial trial = try_on_sequence(*find_claim("lambda-sums"), chain);
+  ASSERT_EQ(trial.verdict.outcome, Outcome::violated);
+  const auto& values = witness_of(trial).values;
+  EXPECT_EQ(std::get<std::int64_t>(values[1].second), 1320);
+  const auto& k = std::get<ElementInfo>(values[0].second);
+  EXPECT_EQ(k.level, 1);
+  EXPECT_EQ(k.box.lower[0], 3 - Rational(1) / 1331);
+  EXPECT_EQ(k.box.upper, (ExactPoint{3, 1, 1}));
+  EXPECT_TRUE(std::get<std::string>(values[2].second).starts_with("120/121")) << "1320/1331";
+}
+
+/// The marks that lambda(K, .) of the last child of [2,3] reaches, each 1/m, as chain_of_marks makes them with the
+/// least number of steps: slab `first` is the last one with its midpoint out of reach.
+int marks_within_reach(int m) {
+  const CubeRootNumber reach = distance_constants({3, 3, 3}, m)[0] * cube_root_power(m, -1) * Rational(2);
+  const Rational middle = 3 - Rational(1) / (2 * m);
+  int within = 0;
+  for (int slab = 2 * m - 13; slab >= 0; --slab) {
+    const Rational mark = (Rational(slab + 1) - Rational(1) / (2 * m)) / m;
+    if (reach < Rational(middle - mark)) break;
+    ++within;
+  }
+  return within;
+}
+
+TEST(LambdaSums, TheChainReachesMarksThatAddUpTo1BelowGrading1303) {
+  for (int m = 1268; m <= 1302; ++m) EXPECT_GE(marks_within_reach(m), m) << m;
+  for (int m = 1303; m <= 1331; ++m) EXPECT_LT(marks_within_reach(m), m) << m;
+  EXPECT_EQ(marks_within_reach(1303), 1302);
+}
+
+// The least m for which this kind of sequence does it is 1303: the last child of [2,3] is looked at among others.
+TEST(LambdaSums, NeedGrading1303ForThisSequence) {
+  const auto outcome = [](const char* id, int m, int first) {
+    return try_on_sequence(*find_claim(id), chain_of_marks(m, first)).verdict.outcome;
+  };
+  EXPECT_EQ(outcome("lambda-sums", 1303, 1291), Outcome::violated);
+  EXPECT_EQ(outcome("lambda-sums", 1302, 1290), Outcome::undecided) << "never `holds` when little is looked at";
+  EXPECT_EQ(outcome("lambda-sums-repaired", 1303, 1291), Outcome::undecided);
+}
+
+// Theorem 7.1 itself is far from it, and the meshes are as large as the finding says.
+TEST(LambdaSums, LeaveTheTheoremAlone) {
+  const Case chain = chain_of_marks(1303, 1291);
+  const NarrowSequence narrow = follow_narrowly(chain);
+  EXPECT_EQ(narrow.marks.size(), 1307U);
+  EXPECT_EQ(narrow.subdivided.elements().size(), 47034U);
+  EXPECT_EQ(narrow.subdivided.new_element_count(), 47034 * 1302 + 3);
+  const CubeRootNumber constant = complexity_constant(distance_constants(chain.degree, chain.grading));
+  EXPECT_GT(constant, Rational(1'000'000'000));
+}
+
+// The two forms of a sequence, where both can be had: the same new elements.
+TEST(LambdaSums, NarrowFormAgrees) {
+  Draw draw(29);
+  int failed = 0;
+  for (int number = 0; number < 200 && !testing::Test::HasFailure(); ++number) {
+    const Case content = small_sequence(draw);
+    const Rational factor = draw_factor(draw, 8);
+    SCOPED_TRACE(to_string(factor) + "\n" + write_case(content));
+    const MarkedSequence marked = *follow(content, NewElements::list);
+    const NarrowSequence narrow = follow_narrowly(content);
+    EXPECT_EQ(narrow.marks.size(), marked.marks.size());
+    EXPECT_EQ(narrow.subdivided.new_element_count(), static_cast<std::int64_t>(marked.new_elements.size()));
+    const Constants d = distance_constants(content.degree, content.grading);
+    std::int64_t met = 0;
+    const bool found = judge_outer_children(narrow, scaled(d, factor), met).has_value();
+    const bool violated = judge_lambda_sums(marked, scaled(d, factor), complexity_constant(d), met).has_value();
+    EXPECT_TRUE(violated || !found);
+    failed += found;
+  }
+  EXPECT_GT(failed, 20);
 }
 
 // ---- the experiment
@@ -382,6 +480,14 @@ Verdict lambda_without_reach() {
   return verdict_of(judge_lambda_sums(marked, {one, one, one}, experiment_constant(3), met));
 }
 
+/// The chain of marks for m = 1303 with the printed constants in place of the true ones.
+Verdict repaired_lambda_with_printed_constants() {
+  const Case chain = chain_of_marks(1303, 1291);
+  std::int64_t met = 0;
+  return verdict_of(
+      judge_outer_children(follow_narrowly(chain), scaled(distance_constants(chain.degree, chain.grading), 2), met));
+}
+
 /// Every step counted with one level's growth too many: as if phi lifted levels by 2.
 Verdict experiment_with_shifted_growth() {
   SelfSimilarity certificate = experiment_certificate(5);
@@ -408,6 +514,22 @@ bool literal_distance_bound_fails(const Case& content) {
   const reference::Point mark{1 - Rational(4) / setting.grading, 0, 0};
   const auto position = reference::element_at(setting, mesh, mark).value();
   return !reference::distance_bound_holds(setting, mesh, {position}, 1);
+}
+
+/// The failure of the first sum by the literal code, on the set of subdivided elements: each step refines one mark, the
+/// mesh is admissible, K is new, and its sum is below 1.
+bool literal_lambda_sums_fail(const Case& content) {
+  reference::SubdividedSet mesh(literal::setting(setting_of(content)));
+  std::vector<reference::GridBox> marks;
+  for (const Step& step : content.steps) {
+    if (step.kind != Step::Kind::refine || step.marks.size() != 1) return false;
+    marks.push_back(mesh.element_at(literal::point(step.marks[0])));
+    mesh.refine(marks.back());
+  }
+  // the last child of [2,3]: a cube's side is 2 m^2 steps of the literal code's grid
+  const std::int64_t side = std::int64_t{2} * content.grading * content.grading;
+  const reference::GridBox k = mesh.child({{2 * side, 0, 0}, {3 * side, side, side}, 0}, content.grading - 1);
+  return mesh.admissible() && mesh.is_new(k) && mesh.lambda_sum_below_one(k, marks);
 }
 
 /// The experiment's failure by the literal code: the meshes after the steps 13 and 16 and the closures between show
@@ -438,12 +560,15 @@ std::vector<NegativeControl> complexity_controls() {
        [] { return distance_without_geometric_sum(true); }},
       {"complexity-bound", "C without the distances d", complexity_without_distances},
       {"lambda-sums", "lambda with 2d = (1,1,1)", lambda_without_reach},
+      {"lambda-sums-repaired", "the printed constants for m = 1303", repaired_lambda_with_printed_constants},
       {"experiment-constant", "late steps' growth counted one and a half times", experiment_with_shifted_growth},
       {"experiment-constant-repaired", "old elements counted as new", experiment_counting_old_elements}};
 }
 
 std::vector<Confirmation> complexity_confirmations() {
-  return {{"distance-bound", literal_distance_bound_fails}, {"experiment-constant", literal_experiment_fails}};
+  return {{"distance-bound", literal_distance_bound_fails},
+          {"lambda-sums", literal_lambda_sums_fail},
+          {"experiment-constant", literal_experiment_fails}};
 }
 
 }  // namespace asts
