@@ -56,7 +56,9 @@ enumerate_all() {
   local inclusions=(--claim as-implies-dc --claim dc-implies-as)
   enumerate_lines 3,3,3 2 4,4,5 3 false "${inclusions[@]}"
   enumerate_lines 3,3,3 2 4,4,5 3 true "${inclusions[@]}"
+  enumerate_lines 3,3,3 2 4,4,5 4 false "${inclusions[@]}"
   enumerate_lines 3,3,3 2 5,5,8 2 false "${inclusions[@]}"
+  enumerate_lines 3,3,3 2 5,5,8 3 false "${inclusions[@]}"
 }
 
 # The exit code is that of `asts ledger`.
