@@ -12,7 +12,7 @@
 #include "cli/terminal.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
-#include "tests/reference/refine.hpp"
+#include "tests/reference/claim_witness.hpp"
 
 namespace asts::cli {
 
@@ -26,25 +26,22 @@ reference::Point literal_point(const Point& point) {
   return result;
 }
 
-/// Replays the first steps of a case by the literal code alone: nothing of the mesh kernel is used.
-reference::Mesh literal_mesh(const Case& content, const reference::Setting& setting, std::size_t steps) {
+/// The mesh or sequence of a case's first steps, for the literal code alone: nothing of the mesh kernel is used.
+reference::ClaimSubject literal_subject(const Case& content, std::size_t steps) {
+  const reference::Setting setting{content.degree, content.grading, content.domain};
   if (content.explicit_mesh) {
     reference::Mesh mesh;
     for (const ElementLine& line : content.elements) {
       mesh.push_back({literal_point(line.lower), literal_point(line.upper)});
     }
-    return mesh;
+    return {setting, std::move(mesh)};
   }
-  reference::Mesh mesh = reference::initial_mesh(setting);
+  std::vector<reference::LiteralStep> sequence(steps);
   for (std::size_t i = 0; i < steps; ++i) {
-    std::vector<std::size_t> marked;
-    for (const Point& mark : content.steps[i].marks) {
-      marked.push_back(reference::element_at(setting, mesh, literal_point(mark)).value());
-    }
-    mesh = content.steps[i].kind == Step::Kind::refine ? reference::refine(setting, mesh, marked)
-                                                       : reference::subdivide(setting, mesh, marked);
+    sequence[i].refine = content.steps[i].kind == Step::Kind::refine;
+    for (const Point& mark : content.steps[i].marks) sequence[i].marks.push_back(literal_point(mark));
   }
-  return mesh;
+  return {setting, std::move(sequence)};
 }
 
 /// The case of a record: the one it carries, or the file that it names.
@@ -55,34 +52,40 @@ Case case_of(const Json& record, const std::string& file, const std::string& pla
   return read_case_file(std::filesystem::exists(name) ? name : beside.string());
 }
 
-/// A record's mesh, by the literal code, and what speaks against the record itself; empty when nothing does.
+/// What a record is about, and what speaks against the record itself; empty when nothing does.
 struct LiteralRecord {
-  reference::Setting setting;
-  reference::Mesh mesh;
+  reference::ClaimSubject subject;
   std::string objection;
 };
 
+/// A record of claims alone may lack `elements`: it may be about a sequence whose mesh is too large to be made.
+std::string objection_to_elements(const Json& record, reference::ClaimSubject& subject) {
+  if (!record.contains("elements") && !record.contains("properties")) return {};
+  try {
+    const std::size_t elements = subject.mesh().size();
+    if (record.at("elements") == elements) return {};
+    return fmt::format("the mesh has {} elements, not {}", elements, record.at("elements").dump());
+  } catch (const reference::Rejected& reason) {
+    return reason.what();
+  }
+}
+
 LiteralRecord literal_record(const Json& record, const std::string& file, const std::string& place) {
   const Case content = case_of(record, file, place);
-  LiteralRecord result{{content.degree, content.grading, content.domain}, {}, {}};
   const Json& step = record.at("step");
   const std::size_t most = content.steps.size();
   if (!step.is_number_unsigned() || step > most || (record.contains("mesh") && step != most)) {
-    result.objection = fmt::format("step {} is not what the record's case of {} steps says", step.dump(), most);
-    return result;
+    return {literal_subject(content, 0),
+            fmt::format("step {} is not what the record's case of {} steps says", step.dump(), most)};
   }
-  result.mesh = literal_mesh(content, result.setting, step.get<std::size_t>());
-  if (!reference::tiles_domain(result.setting, result.mesh)) {
-    result.objection = "the elements do not tile the domain";
-  } else if (record.at("elements") != result.mesh.size()) {
-    result.objection =
-        fmt::format("the mesh has {} elements, not {}", result.mesh.size(), record.at("elements").dump());
-  }
+  LiteralRecord result{literal_subject(content, step.get<std::size_t>()), {}};
+  result.objection = objection_to_elements(record, result.subject);
   return result;
 }
 
 struct Finding {
-  std::string property;
+  const char* statement;  ///< "property" or "claim"
+  std::string id;
   reference::Validation validation;
 };
 
@@ -96,34 +99,55 @@ bool is_violated(const Json& entry) {
   return verdict == "violated";
 }
 
-std::vector<Finding> validate_record(const Json& record, const std::string& file, const std::string& place) {
-  std::vector<Finding> findings;
-  std::optional<LiteralRecord> literal;
-  for (const auto& [property, entry] : record.at("properties").items()) {
-    if (!is_violated(entry)) continue;
-    if (!entry.contains("witness")) {
-      findings.push_back({property, {false, "the verdict is violated, but there is no witness"}});
-      continue;
-    }
-    if (!literal) literal = literal_record(record, file, place);
-    findings.push_back(
-        {property, literal->objection.empty()
-                       ? reference::validate_witness(literal->setting, literal->mesh, property, entry.at("witness"))
-                       : reference::Validation{false, literal->objection}});
-  }
-  return findings;
+/// What is decided of a witness of one kind of statement.
+using Decide = reference::Validation (*)(reference::ClaimSubject&, const std::string& id, const Json& witness);
+
+reference::Validation decide_property(reference::ClaimSubject& subject, const std::string& id, const Json& witness) {
+  return reference::validate_witness(subject.setting(), subject.mesh(), id, witness);
 }
+
+class RecordValidator {
+ public:
+  RecordValidator(const Json& record, const std::string& file, const std::string& place)
+      : record_(record), file_(file), place_(place) {}
+
+  std::vector<Finding> validate() {
+    if (record_.contains("properties")) add_all("property", record_.at("properties"), decide_property);
+    if (record_.contains("claims")) add_all("claim", record_.at("claims"), reference::validate_claim_witness);
+    return std::move(findings_);
+  }
+
+ private:
+  void add_all(const char* statement, const Json& entries, Decide decide) {
+    for (const auto& [id, entry] : entries.items()) {
+      if (is_violated(entry)) findings_.push_back({statement, id, validation_of(id, entry, decide)});
+    }
+  }
+
+  reference::Validation validation_of(const std::string& id, const Json& entry, Decide decide) {
+    if (!entry.contains("witness")) return {false, "the verdict is violated, but there is no witness"};
+    if (!literal_) literal_ = literal_record(record_, file_, place_);
+    if (!literal_->objection.empty()) return {false, literal_->objection};
+    return decide(literal_->subject, id, entry.at("witness"));
+  }
+
+  const Json& record_;
+  const std::string& file_;
+  const std::string& place_;
+  std::optional<LiteralRecord> literal_;
+  std::vector<Finding> findings_;
+};
 
 std::string finding_text(const Finding& finding, const std::string& file, std::size_t line, Format format) {
   if (format == Format::json) {
     const nlohmann::ordered_json json{{"file", file},
                                       {"line", line},
-                                      {"property", finding.property},
+                                      {finding.statement, finding.id},
                                       {"valid", finding.validation.valid},
                                       {"report", finding.validation.report}};
     return json.dump() + "\n";
   }
-  return fmt::format("{}:{}: {}: the witness is {}\n{}\n", file, line, finding.property,
+  return fmt::format("{}:{}: {}: the witness is {}\n{}\n", file, line, finding.id,
                      finding.validation.valid ? "valid" : "NOT VALID", finding.validation.report);
 }
 
@@ -152,7 +176,8 @@ std::vector<Record> read_records(const std::vector<std::string>& files) {
       ++number;
       if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
       Json content = Json::parse(line, nullptr, false);
-      if (content.is_discarded() || !content.is_object() || !content.contains("properties")) {
+      if (content.is_discarded() || !content.is_object() ||
+          (!content.contains("properties") && !content.contains("claims"))) {
         throw InputError(fmt::format("{}:{}: no record of `asts check --format json`", file, number));
       }
       records.push_back({file, number, std::move(content)});
@@ -165,7 +190,7 @@ std::vector<Record> read_records(const std::vector<std::string>& files) {
 std::vector<Finding> findings_of(const Record& record) {
   const std::string place = fmt::format("{}:{}", record.file, record.line);
   try {
-    return validate_record(record.content, record.file, place);
+    return RecordValidator(record.content, record.file, place).validate();
   } catch (const Json::exception& error) {
     const std::string reason = error.what();  // "[json.exception.NAME.NUMBER] words"
     throw InputError(place + ": malformed record: " + reason.substr(reason.find("] ") + 2));

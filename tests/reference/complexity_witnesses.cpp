@@ -1,0 +1,7 @@
+#include "tests/reference/claim_witness.hpp"
+
+namespace asts::reference {
+
+std::span<const ClaimKind> complexity_kinds() { return {}; }
+
+}  // namespace asts::reference
