@@ -108,4 +108,7 @@ struct ClaimWitness {
 using Witness = std::variant<CoarserInPatchWitness, OutsideClassWitness, PatchNotNestedWitness, RegionsMeetWitness,
                              NoPartialOverlapWitness, LambdaNotDeltaWitness, ClaimWitness>;
 
+/// The word for the way in which something is violated: reports/WITNESS.md.
+std::string kind_of(const Witness& witness);
+
 }  // namespace asts

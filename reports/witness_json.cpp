@@ -66,25 +66,25 @@ struct ToJson {
   Json operator()(const ClaimWitness& w) const {
     Json values = Json::object();
     for (const auto& [name, value] : w.values) values[name] = std::visit(ValueToJson{}, value);
-    return {{"kind", w.kind}, {"says", w.says}, {"values", values}};
+    return {{"kind", kind_of(w)}, {"says", w.says}, {"values", values}};
   }
   Json operator()(const CoarserInPatchWitness& w) const {
-    return {{"kind", "coarser-in-patch"},
+    return {{"kind", kind_of(w)},
             {"element", element(w.element)},
             {"environment", box(w.environment)},
             {"coarser", element(w.coarser)}};
   }
   Json operator()(const OutsideClassWitness& w) const {
-    return {{"kind", "outside-class"}, {"element", element(w.element)}};
+    return {{"kind", kind_of(w)}, {"element", element(w.element)}};
   }
   Json operator()(const PatchNotNestedWitness& w) const {
-    return {{"kind", "patch-not-nested"},
+    return {{"kind", kind_of(w)},
             {"inner", element(w.inner)},
             {"outer", element(w.outer)},
             {"element", element(w.element)}};
   }
   Json operator()(const RegionsMeetWitness& w) const {
-    return {{"kind", "perturbed-regions-meet"},
+    return {{"kind", kind_of(w)},
             {"point", point(w.point)},
             {"first", perturbation(w.first)},
             {"second", perturbation(w.second)}};
@@ -95,15 +95,19 @@ struct ToJson {
       axes.push_back(
           {{"axis", axis_name(info.axis)}, {"coordinate", number(info.coordinate)}, {"in", info.in_v ? "v" : "w"}});
     }
-    return {{"kind", "no-partial-overlap"}, {"v", active_node(w.v)}, {"w", active_node(w.w)}, {"axes", axes}};
+    return {{"kind", kind_of(w)}, {"v", active_node(w.v)}, {"w", active_node(w.w)}, {"axes", axes}};
   }
   Json operator()(const LambdaNotDeltaWitness& w) const {
     Json factors = Json::array();
     for (const FieldElement& factor : w.factors) factors.push_back(field_value(factor));
-    return {{"kind", "lambda-not-delta"},    {"v", active_node(w.v)},
-            {"w", active_node(w.w)},         {"factors", factors},
-            {"value", field_value(w.value)}, {"expected", std::to_string(w.expected)},
-            {"failures", w.failures},        {"pairs", w.pairs}};
+    return {{"kind", kind_of(w)},
+            {"v", active_node(w.v)},
+            {"w", active_node(w.w)},
+            {"factors", factors},
+            {"value", field_value(w.value)},
+            {"expected", std::to_string(w.expected)},
+            {"failures", w.failures},
+            {"pairs", w.pairs}};
   }
 };
 
