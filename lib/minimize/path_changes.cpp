@@ -1,0 +1,94 @@
+#include "lib/minimize/path_changes.hpp"
+
+#include <algorithm>
+
+namespace asts {
+
+namespace {
+
+std::int32_t mapped_child(std::int32_t child, int from, int to, ChildMap map) {
+  const std::int32_t from_upper = from - 1 - child;
+  switch (map) {
+    case ChildMap::lower_end:
+      return std::min(child, to - 1);
+    case ChildMap::upper_end:
+      return std::max(to - 1 - from_upper, 0);
+    case ChildMap::both_ends:
+      return child <= from_upper ? std::min(child, to - 1) : std::max(to - 1 - from_upper, 0);
+    case ChildMap::in_scale:
+      return static_cast<std::int32_t>(std::int64_t{child} * to / from);
+  }
+  return 0;
+}
+
+}  // namespace
+
+PathCase map_paths(const PathCase& paths, const PathMap& map) {
+  PathCase result{paths.setting, {}};
+  for (const PathStep& step : paths.steps) {
+    PathStep& changed = result.steps.emplace_back(PathStep{step.kind, {}});
+    for (const ElementPath& mark : step.marks) {
+      if (auto path = map(mark)) changed.marks.push_back(std::move(*path));
+    }
+  }
+  return result;
+}
+
+PathCase without_layers(const PathCase& paths, Axis axis, int first, int count) {
+  PathCase result = map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
+    std::int32_t& layer = path[at(axis)];
+    if (layer >= first && layer < first + count) return std::nullopt;
+    if (layer >= first) layer -= count;
+    return path;
+  });
+  result.setting.domain[at(axis)] -= count;
+  return result;
+}
+
+PathCase with_layers(const PathCase& paths, Axis axis, int first, int count) {
+  PathCase result = map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
+    if (path[at(axis)] >= first) path[at(axis)] += count;
+    return path;
+  });
+  result.setting.domain[at(axis)] += count;
+  return result;
+}
+
+PathCase with_grading(const PathCase& paths, int grading, ChildMap map) {
+  PathCase result = map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
+    for (std::size_t i = kDimension; i < path.size(); ++i) {
+      path[i] = mapped_child(path[i], paths.setting.grading, grading, map);
+    }
+    return path;
+  });
+  result.setting.grading = grading;
+  return result;
+}
+
+PathCase reflected(const PathCase& paths, const PerAxis<bool>& axes) {
+  const Setting& setting = paths.setting;
+  return map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const std::size_t axis = i % kDimension;
+      if (!axes[axis]) continue;
+      const int count = i < kDimension ? setting.domain[axis] : setting.grading;
+      path[i] = count - 1 - path[i];
+    }
+    return path;
+  });
+}
+
+PathCase permuted(const PathCase& paths, const PerAxis<Axis>& order) {
+  PathCase result = map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
+    const ElementPath old = path;
+    for (std::size_t axis = 0; axis < kDimension; ++axis) path[axis] = old[at(order[axis])];
+    return path;
+  });
+  for (std::size_t axis = 0; axis < kDimension; ++axis) {
+    result.setting.domain[axis] = paths.setting.domain[at(order[axis])];
+    result.setting.degree[axis] = paths.setting.degree[at(order[axis])];
+  }
+  return result;
+}
+
+}  // namespace asts

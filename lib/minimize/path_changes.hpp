@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "lib/minimize/path_case.hpp"
+
+namespace asts {
+
+/// Changes of a case of steps, each a candidate for a smaller one. All keep marks within the domain, children's numbers
+/// below m and, applied to a mesh, give a set of elements that mesh_of_paths() makes a mesh of.
+
+/// Every mark by a function; nothing takes it away.
+using PathMap = std::function<std::optional<ElementPath>(const ElementPath&)>;
+PathCase map_paths(const PathCase& paths, const PathMap& map);
+
+/// The domain without `count` layers of unit cubes across an axis from `first` on, with all that lies in them.
+/// REQUIRES: another layer stays.
+PathCase without_layers(const PathCase& paths, Axis axis, int first, int count);
+
+/// The domain with `count` layers more before the layer `first`, which may be one behind the last.
+PathCase with_layers(const PathCase& paths, Axis axis, int first, int count);
+
+/// What becomes of a child's number when m changes from `from` to `to`.
+enum class ChildMap {
+  lower_end,  ///< the same number, at most to-1
+  upper_end,  ///< counted from the other end
+  both_ends,  ///< the nearer end decides: the first stays the first, the last stays the last
+  in_scale,   ///< at the same place within the parent
+};
+PathCase with_grading(const PathCase& paths, int grading, ChildMap map);
+
+/// The domain in a mirror: x -> X~ - x along each axis that is set.
+PathCase reflected(const PathCase& paths, const PerAxis<bool>& axes);
+
+/// Domain, degree and unit cubes with axis a of the result taken from axis order[a]. The children's numbers stay, so
+/// that it is another mesh, as levels fix the axes of subdivisions (Definition 2.6).
+PathCase permuted(const PathCase& paths, const PerAxis<Axis>& order);
+
+}  // namespace asts

@@ -1,0 +1,80 @@
+#include <array>
+#include <vector>
+
+#include "lib/minimize/path_changes.hpp"
+#include "lib/minimize/path_passes.hpp"
+
+namespace asts {
+
+namespace {
+
+/// Settings next to the current one that are larger.
+std::vector<PathCase> grown(const PathCase& paths) {
+  std::vector<PathCase> result;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const int side = paths.setting.domain[at(axis)];
+    for (int place = 0; place <= side; ++place) result.push_back(with_layers(paths, axis, place, 1));
+    PathCase higher = with_layers(with_layers(paths, axis, side, 1), axis, 0, 1);
+    higher.setting.degree[at(axis)] += 2;
+    result.push_back(std::move(higher));
+  }
+  const int m = paths.setting.grading;
+  for (const int larger : {m + 1, 2 * m}) {
+    for (const ChildMap map : {ChildMap::lower_end, ChildMap::upper_end}) {
+      if (larger <= kMaxGrading) result.push_back(with_grading(paths, larger, map));
+    }
+  }
+  return result;
+}
+
+/// The domain with one layer more or less across each axis, at one of its sides, where its volume gets less.
+constexpr std::array<std::array<int, 2>, 5> kChanges{{{0, 0}, {-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
+
+std::optional<PathCase> resized(const PathCase& paths, const PerAxis<std::size_t>& changes) {
+  PathCase result = paths;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto& [low, high] = kChanges[changes[at(axis)]];
+    const int side = result.setting.domain[at(axis)];
+    if (side + low + high < 1) return std::nullopt;
+    if (high < 0) result = without_layers(result, axis, side - 1, 1);
+    if (low < 0) result = without_layers(result, axis, 0, 1);
+    if (high > 0) result = with_layers(result, axis, side, 1);
+    if (low > 0) result = with_layers(result, axis, 0, 1);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool grow_and_drop(PathSearch& search) {
+  const std::int64_t subdivisions = search.size().subdivisions;
+  for (const PathCase& larger : grown(search.current())) {
+    PathSearch other = search;
+    if (!other.move_to(larger) || !drop_elements(other) || other.size().subdivisions >= subdivisions) continue;
+    descend(other);
+    if (search.adopt(other)) return true;
+  }
+  return false;
+}
+
+bool reshape_domain(PathSearch& search) {
+  const PathCase from = search.current();
+  PerAxis<std::size_t> changes{};
+  for (changes[0] = 0; changes[0] < kChanges.size(); ++changes[0]) {
+    for (changes[1] = 0; changes[1] < kChanges.size(); ++changes[1]) {
+      for (changes[2] = 0; changes[2] < kChanges.size(); ++changes[2]) {
+        const auto candidate = resized(from, changes);
+        if (candidate && search.propose(*candidate)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::span<const PathPass> escape_passes() {
+  static constexpr std::array kPasses{PathPass{"reshape-domain", reshape_domain},
+                                      PathPass{"grow-and-drop", grow_and_drop}};
+  return kPasses;
+}
+
+}  // namespace asts

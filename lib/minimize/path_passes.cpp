@@ -1,0 +1,268 @@
+#include "lib/minimize/path_passes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "lib/minimize/drop_chunks.hpp"
+#include "lib/minimize/path_changes.hpp"
+
+namespace asts {
+
+namespace {
+
+/// The case without these elements and all that is in them.
+PathCase without(const PathCase& paths, const std::vector<ElementPath>& dropped) {
+  return map_paths(paths, [&](const ElementPath& path) -> std::optional<ElementPath> {
+    const bool below = std::any_of(dropped.begin(), dropped.end(),
+                                   [&](const ElementPath& ancestor) { return leads_to(ancestor, path); });
+    if (below) return std::nullopt;
+    return path;
+  });
+}
+
+bool drop_listed(PathSearch& search, std::vector<ElementPath> (*list)(const PathCase&)) {
+  return drop_chunks(
+      [&] { return list(search.current()).size(); },
+      [&](std::size_t first, std::size_t entries) {
+        const std::vector<ElementPath> all = list(search.current());
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+        return search.propose(without(search.current(), {begin, begin + static_cast<std::ptrdiff_t>(entries)}));
+      });
+}
+
+std::vector<ElementPath> unit_cubes_of(const PathCase& mesh) {
+  return mesh.steps.empty() ? std::vector<ElementPath>{} : mesh.steps.front().marks;
+}
+
+PathCase without_steps(const PathCase& sequence, std::size_t first, std::size_t count) {
+  PathCase result = sequence;
+  const auto begin = result.steps.begin() + static_cast<std::ptrdiff_t>(first);
+  result.steps.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+  return result;
+}
+
+bool drop_steps(PathSearch& search) {
+  return drop_chunks([&] { return search.current().steps.size(); },
+                     [&](std::size_t first, std::size_t entries) {
+                       return search.propose(without_steps(search.current(), first, entries));
+                     });
+}
+
+/// Marks of steps that have more than one.
+bool drop_marks(PathSearch& search) {
+  bool any = false;
+  for (std::size_t step = 0; step < search.current().steps.size(); ++step) {
+    const auto count = [&] {
+      if (step >= search.current().steps.size()) return std::size_t{0};
+      return search.current().steps[step].marks.size();
+    };
+    if (count() < 2) continue;
+    any |= drop_chunks(count, [&](std::size_t first, std::size_t entries) {
+      PathCase candidate = search.current();
+      std::vector<ElementPath>& marks = candidate.steps[step].marks;
+      const auto begin = marks.begin() + static_cast<std::ptrdiff_t>(first);
+      marks.erase(begin, begin + static_cast<std::ptrdiff_t>(entries));
+      return search.propose(candidate);
+    });
+  }
+  return any;
+}
+
+/// Degrees lower by 2 along some axes, with `low` and `high` layers less on their sides.
+std::optional<PathCase> with_lower_degrees(const PathCase& paths, std::size_t axes, int low, int high) {
+  PathCase result = paths;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    if ((axes >> axis & 1) == 0) continue;
+    int& degree = result.setting.degree[at(axis)];
+    const int side = result.setting.domain[at(axis)];
+    if (degree < 5 || side <= low + high) return std::nullopt;
+    degree -= 2;
+    if (high > 0) result = without_layers(result, axis, side - high, high);
+    if (low > 0) result = without_layers(result, axis, 0, low);
+  }
+  return result;
+}
+
+constexpr std::array kChildMaps{ChildMap::lower_end, ChildMap::upper_end, ChildMap::both_ends, ChildMap::in_scale};
+
+bool propose_grading(PathSearch& search, int grading) {
+  const PathCase from = search.current();
+  for (const ChildMap map : kChildMaps) {
+    if (search.propose(with_grading(from, grading, map))) return true;
+  }
+  return false;
+}
+
+/// An element with all below it elsewhere: entry `i` of its path becomes `value`.
+PathCase with_entry(const PathCase& paths, const ElementPath& element, std::size_t i, std::int32_t value) {
+  return map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
+    if (leads_to(element, path)) path[i] = value;
+    return path;
+  });
+}
+
+/// Smaller values for one entry, the smallest first.
+bool lower_entry(PathSearch& search, ElementPath& element, std::size_t i) {
+  const std::int32_t value = element[i];
+  for (const std::int32_t smaller : {0, value / 2, value - 1}) {
+    if (smaller < 0 || smaller >= value) continue;
+    if (!search.propose(with_entry(search.current(), element, i, smaller))) continue;
+    element[i] = smaller;
+    return true;
+  }
+  return false;
+}
+
+/// All unit cubes one layer lower.
+bool shift(PathSearch& search, Axis axis) {
+  bool any = false;
+  while (true) {
+    bool at_side = false;
+    const PathCase shifted = map_paths(search.current(), [&](ElementPath path) -> std::optional<ElementPath> {
+      at_side = at_side || path[at(axis)] == 0;
+      --path[at(axis)];
+      return path;
+    });
+    if (at_side || search.current().steps.empty() || !search.propose(shifted)) return any;
+    any = true;
+  }
+}
+
+std::vector<ElementPath> all_marks(const PathCase& paths) { return subdivided_of(paths); }
+
+/// More marks than that are not moved one by one.
+constexpr std::size_t kMostMoved = 256;
+
+}  // namespace
+
+bool drop_elements(PathSearch& search) {
+  if (search.form() == PathForm::mesh) {
+    const bool cubes = drop_listed(search, unit_cubes_of);
+    return drop_listed(search, subdivided_of) || cubes;
+  }
+  const bool steps = drop_steps(search);
+  return drop_marks(search) || steps;
+}
+
+bool drop_layers(PathSearch& search) {
+  bool any = false;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto layers = [&] { return static_cast<std::size_t>(search.current().setting.domain[at(axis)]); };
+    any |= drop_chunks(layers, [&](std::size_t first, std::size_t entries) {
+      if (entries == layers()) return false;
+      return search.propose(without_layers(search.current(), axis, static_cast<int>(first), static_cast<int>(entries)));
+    });
+  }
+  return any;
+}
+
+bool lower_degrees(PathSearch& search) {
+  bool any = false;
+  for (std::size_t axes = (std::size_t{1} << kDimension) - 1; axes > 0; --axes) {
+    for (const auto& [low, high] : {std::pair{1, 1}, std::pair{1, 0}, std::pair{0, 1}, std::pair{0, 0}}) {
+      while (auto candidate = with_lower_degrees(search.current(), axes, low, high)) {
+        if (!search.propose(*candidate)) break;
+        any = true;
+      }
+    }
+  }
+  return any;
+}
+
+/// Small m one after the other; for a large m also by halving the range, since what fails for one m mostly fails for
+/// those above it.
+bool lower_grading(PathSearch& search) {
+  constexpr int kTriedOneByOne = 6;
+  const int start = search.current().setting.grading;
+  for (int m = 2; m < start && m <= kTriedOneByOne; ++m) {
+    if (propose_grading(search, m)) return true;
+  }
+  int fails = kTriedOneByOne;
+  while (search.current().setting.grading - fails > 1) {
+    const int middle = fails + (search.current().setting.grading - fails) / 2;
+    if (!propose_grading(search, middle)) fails = middle;
+  }
+  return search.current().setting.grading < start;
+}
+
+bool permute_axes(PathSearch& search) {
+  PerAxis<Axis> order{0, 1, 2};
+  const PathCase from = search.current();
+  bool any = false;
+  while (std::next_permutation(order.begin(), order.end())) any |= search.propose(permuted(from, order));
+  return any;
+}
+
+bool move_to_origin(PathSearch& search) {
+  bool any = false;
+  for (Axis axis = 0; axis < kDimension; ++axis) any |= shift(search, axis);
+  std::vector<ElementPath> marks = all_marks(search.current());
+  if (marks.size() > kMostMoved) return any;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const std::vector<ElementPath> now = all_marks(search.current());
+    if (i >= now.size()) break;
+    ElementPath element = now[i];
+    if (level_of(element) > 0) {
+      any |= lower_entry(search, element, element.size() - 1);
+      continue;
+    }
+    for (std::size_t axis = 0; axis < kDimension; ++axis) any |= lower_entry(search, element, axis);
+  }
+  return any;
+}
+
+bool reflect_axes(PathSearch& search) {
+  bool any = false;
+  const PathCase from = search.current();
+  for (std::size_t axes = 1; axes < std::size_t{1} << kDimension; ++axes) {
+    PerAxis<bool> mirrored{};
+    for (std::size_t axis = 0; axis < kDimension; ++axis) mirrored[axis] = (axes >> axis & 1) != 0;
+    any |= search.propose(reflected(from, mirrored));
+  }
+  return any;
+}
+
+bool merge_steps(PathSearch& search) {
+  if (search.form() == PathForm::mesh) return false;
+  bool any = false;
+  for (std::size_t step = 0; step + 1 < search.current().steps.size();) {
+    PathCase merged = search.current();
+    const PathStep& next = merged.steps[step + 1];
+    bool accepted = false;
+    if (merged.steps[step].kind == next.kind) {
+      merged.steps[step].marks.insert(merged.steps[step].marks.end(), next.marks.begin(), next.marks.end());
+      merged.steps.erase(merged.steps.begin() + static_cast<std::ptrdiff_t>(step) + 1);
+      accepted = search.propose(merged);
+    }
+    any |= accepted;
+    step += accepted ? 0 : 1;
+  }
+  return any;
+}
+
+bool write_out_closure(PathSearch& search) {
+  if (search.form() == PathForm::mesh || search.size().subdivisions > 100'000) return false;
+  const auto mesh = mesh_paths(search.written());
+  return mesh && search.propose(*mesh);
+}
+
+std::span<const PathPass> descent_passes() {
+  static constexpr std::array kPasses{
+      PathPass{"drop-elements", drop_elements},  PathPass{"write-out-closure", write_out_closure},
+      PathPass{"drop-layers", drop_layers},      PathPass{"lower-degrees", lower_degrees},
+      PathPass{"lower-grading", lower_grading},  PathPass{"merge-steps", merge_steps},
+      PathPass{"permute-axes", permute_axes},    PathPass{"reflect-axes", reflect_axes},
+      PathPass{"move-to-origin", move_to_origin}};
+  return kPasses;
+}
+
+void descend(PathSearch& search) {
+  bool any = true;
+  while (any) {
+    any = false;
+    for (const PathPass& pass : descent_passes()) any |= pass.run(search);
+  }
+}
+
+}  // namespace asts
