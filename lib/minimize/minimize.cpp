@@ -1,6 +1,8 @@
 #include "lib/minimize/minimize.hpp"
 
 #include "lib/exact/errors.hpp"
+#include "lib/minimize/box_changes.hpp"
+#include "lib/minimize/box_search.hpp"
 #include "lib/minimize/path_passes.hpp"
 
 namespace asts {
@@ -13,6 +15,8 @@ Case cut_behind(const Case& test_case, std::size_t steps) {
   return result;
 }
 
+/// No mesh of subdivisions with higher levels is made of boxes.
+constexpr std::int32_t kMostClassLevels = 12;
 /// More steps are not looked at one by one.
 constexpr std::size_t kScanned = 32;
 
@@ -48,7 +52,7 @@ class Minimizer {
       result_.guarantee = stopped.budget ? Guarantee::budget : Guarantee::interrupted;
       result_.last_run.clear();
     }
-    if (search_) take(*search_);
+    take_best();
     result_.kind = oracle_.kind();
     result_.evaluations = oracle_.evaluations();
     result_.others = oracle_.others();
@@ -57,26 +61,51 @@ class Minimizer {
 
  private:
   void minimize() {
-    const Case cut = result_.smallest.explicit_mesh ? result_.smallest : first_violating(result_.smallest, oracle_);
-    result_.smallest = cut;
-    if (form_ == PathForm::mesh) {
-      search_.emplace(oracle_, form_, mesh_paths(cut).value());
+    if (result_.smallest.explicit_mesh) {
+      minimize_boxes();
     } else {
-      search_.emplace(oracle_, form_, follow_paths(cut).paths);
+      result_.smallest = first_violating(result_.smallest, oracle_);
+      paths_.emplace(
+          oracle_, form_,
+          form_ == PathForm::mesh ? mesh_paths(result_.smallest).value() : follow_paths(result_.smallest).paths);
     }
+    if (paths_) minimize_paths();
+  }
+
+  /// Until nothing gets smaller, or the mesh is one that subdivisions make.
+  void minimize_boxes() {
+    boxes_.emplace(oracle_, result_.smallest);
+    if (become_paths(mesh_paths(boxes_->current()))) return;
     do {
       result_.last_run.clear();
-      for (const PathPass& pass : descent_passes()) run_pass(pass);
+      for (const BoxPass& pass : simplifying_passes()) run_pass(pass, *boxes_);
+      if (accepted()) continue;
+      if (become_paths(refined_to_class(boxes_->current(), kMostClassLevels))) return;
+      for (const BoxPass& pass : merging_passes()) run_pass(pass, *boxes_);
+    } while (accepted());
+  }
+
+  bool become_paths(const std::optional<PathCase>& paths) {
+    if (!paths || !oracle_.asks(case_of(*paths))) return false;
+    paths_.emplace(oracle_, form_, *paths);
+    return true;
+  }
+
+  void minimize_paths() {
+    do {
+      result_.last_run.clear();
+      for (const PathPass& pass : descent_passes()) run_pass(pass, *paths_);
       if (accepted()) continue;
       for (const PathPass& pass : escape_passes()) {
-        if (run_pass(pass)) break;
+        if (run_pass(pass, *paths_)) break;
       }
     } while (accepted());
   }
 
-  bool run_pass(const PathPass& pass) {
+  template <class Pass, class Search>
+  bool run_pass(const Pass& pass, Search& search) {
     const std::int64_t before = oracle_.evaluations();
-    const bool any = pass.run(*search_);
+    const bool any = pass.run(search);
     result_.last_run.push_back({pass.name, oracle_.evaluations() - before, any});
     return any;
   }
@@ -88,14 +117,20 @@ class Minimizer {
     return false;
   }
 
-  void take(const PathSearch& search) {
-    result_.smallest = search.written();
-    result_.size = search.size();
+  void take_best() {
+    if (paths_) {
+      result_.smallest = paths_->written();
+      result_.size = paths_->size();
+    } else if (boxes_) {
+      result_.smallest = boxes_->current();
+      result_.size = boxes_->size();
+    }
   }
 
   PathForm form_;
   Oracle& oracle_;
-  std::optional<PathSearch> search_;
+  std::optional<BoxSearch> boxes_;
+  std::optional<PathSearch> paths_;
   Minimized result_;
 };
 

@@ -6,6 +6,8 @@ namespace asts {
 
 namespace {
 
+constexpr std::int64_t kMostCubesOneLevelLower = 100'000;
+
 std::int32_t mapped_child(std::int32_t child, int from, int to, ChildMap map) {
   const std::int32_t from_upper = from - 1 - child;
   switch (map) {
@@ -88,6 +90,31 @@ PathCase permuted(const PathCase& paths, const PerAxis<Axis>& order) {
     result.setting.domain[axis] = paths.setting.domain[at(order[axis])];
     result.setting.degree[axis] = paths.setting.degree[at(order[axis])];
   }
+  return result;
+}
+
+std::optional<PathCase> one_level_lower(const PathCase& mesh) {
+  PathCase result = permuted(mesh, {1, 2, 0});
+  constexpr std::size_t kLast = kDimension - 1;
+  // the layer that the lower end of each old one becomes
+  std::vector<std::int32_t> layers(at(mesh.setting.domain[0]) + 1, 1);
+  layers[0] = 0;
+  for (const PathStep& step : mesh.steps) {
+    for (const ElementPath& path : step.marks) layers[at(path[0]) + 1] = mesh.setting.grading;
+  }
+  std::int64_t cubes = 1;
+  for (std::size_t axis = 0; axis < kLast; ++axis) cubes *= result.setting.domain[axis];
+  for (std::size_t i = 1; i < layers.size(); ++i) {
+    layers[i] += layers[i - 1];
+    if (cubes * layers[i] > kMostCubesOneLevelLower) return std::nullopt;
+  }
+  result = map_paths(result, [&](ElementPath path) -> std::optional<ElementPath> {
+    if (level_of(path) == 0) return std::nullopt;
+    path[kLast] = layers[at(path[kLast])] + path[kDimension];
+    path.erase(path.begin() + kDimension);
+    return path;
+  });
+  result.setting.domain[kLast] = layers.back();
   return result;
 }
 

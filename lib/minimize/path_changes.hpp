@@ -37,4 +37,9 @@ PathCase reflected(const PathCase& paths, const PerAxis<bool>& axes);
 /// that it is another mesh, as levels fix the axes of subdivisions (Definition 2.6).
 PathCase permuted(const PathCase& paths, const PerAxis<Axis>& order);
 
+/// The same cuts one level lower, with each axis in the place of the one before it: what was cut along y is cut along
+/// x. The old x is the last axis. There a layer in which a unit cube is subdivided becomes m layers, the others stay
+/// one; the first subdivisions are left out, so that fewer remain. Nothing when the domain gets too large.
+std::optional<PathCase> one_level_lower(const PathCase& mesh);
+
 }  // namespace asts

@@ -71,9 +71,32 @@ bool reshape_domain(PathSearch& search) {
   return false;
 }
 
+bool lower_levels(PathSearch& search) {
+  if (search.form() != PathForm::mesh || search.current().steps.empty()) return false;
+  const auto candidate = one_level_lower(search.current());
+  return candidate && search.propose(*candidate);
+}
+
+bool lower_degree_inside(PathSearch& search) {
+  const PathCase from = search.current();
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    PathCase lower = from;
+    lower.setting.degree[at(axis)] -= 2;
+    const int side = from.setting.domain[at(axis)];
+    if (lower.setting.degree[at(axis)] < 3 || side < 3) continue;
+    for (int high = side - 1; high > 0; --high) {
+      for (int low = 0; low < high; ++low) {
+        if (search.propose(without_layers(without_layers(lower, axis, high, 1), axis, low, 1))) return true;
+      }
+    }
+  }
+  return false;
+}
+
 std::span<const PathPass> escape_passes() {
-  static constexpr std::array kPasses{PathPass{"reshape-domain", reshape_domain},
-                                      PathPass{"grow-and-drop", grow_and_drop}};
+  static constexpr std::array kPasses{
+      PathPass{"lower-degree-inside", lower_degree_inside}, PathPass{"lower-levels", lower_levels},
+      PathPass{"reshape-domain", reshape_domain}, PathPass{"grow-and-drop", grow_and_drop}};
   return kPasses;
 }
 

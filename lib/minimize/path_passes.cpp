@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
+#include <map>
 
 #include "lib/minimize/drop_chunks.hpp"
 #include "lib/minimize/path_changes.hpp"
@@ -33,6 +33,32 @@ bool drop_listed(PathSearch& search, std::vector<ElementPath> (*list)(const Path
 
 std::vector<ElementPath> unit_cubes_of(const PathCase& mesh) {
   return mesh.steps.empty() ? std::vector<ElementPath>{} : mesh.steps.front().marks;
+}
+
+/// Elements that differ in nothing but their place along an axis, as in a mesh that is the same in all layers.
+bool drop_rows(PathSearch& search, Axis axis) {
+  const auto rows = [&](const PathCase& mesh) {
+    std::map<ElementPath, std::vector<ElementPath>> rows_by_trace;
+    for (const ElementPath& path : subdivided_of(mesh)) {
+      ElementPath trace = path;
+      trace[at(axis)] = 0;
+      rows_by_trace[trace].push_back(path);
+    }
+    std::vector<std::vector<ElementPath>> result;
+    for (auto& [trace, row] : rows_by_trace) {
+      if (row.size() > 1) result.push_back(std::move(row));
+    }
+    return result;
+  };
+  return drop_chunks([&] { return rows(search.current()).size(); },
+                     [&](std::size_t first, std::size_t entries) {
+                       const auto all = rows(search.current());
+                       std::vector<ElementPath> dropped;
+                       for (std::size_t i = first; i < first + entries; ++i) {
+                         dropped.insert(dropped.end(), all[i].begin(), all[i].end());
+                       }
+                       return search.propose(without(search.current(), dropped));
+                     });
 }
 
 PathCase without_steps(const PathCase& sequence, std::size_t first, std::size_t count) {
@@ -138,8 +164,9 @@ constexpr std::size_t kMostMoved = 256;
 
 bool drop_elements(PathSearch& search) {
   if (search.form() == PathForm::mesh) {
-    const bool cubes = drop_listed(search, unit_cubes_of);
-    return drop_listed(search, subdivided_of) || cubes;
+    bool any = drop_listed(search, unit_cubes_of);
+    for (Axis axis = 0; axis < kDimension; ++axis) any |= drop_rows(search, axis);
+    return drop_listed(search, subdivided_of) || any;
   }
   const bool steps = drop_steps(search);
   return drop_marks(search) || steps;

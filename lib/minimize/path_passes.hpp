@@ -30,6 +30,10 @@ bool write_out_closure(PathSearch& search);  ///< of a sequence: the bare steps 
 
 /// A larger setting in which fewer subdivisions do: one layer more, degree 2 higher, a higher m.
 bool grow_and_drop(PathSearch& search);
+/// The same cuts one level lower, along other axes.
+bool lower_levels(PathSearch& search);
+/// A degree lower by 2 with two layers less anywhere.
+bool lower_degree_inside(PathSearch& search);
 /// Another shape of the domain of less volume, with the elements moved along.
 bool reshape_domain(PathSearch& search);
 

@@ -22,6 +22,7 @@ const std::map<std::string, Names> kArrows{
     {"lib/mesh", {"lib/exact/", "lib/mesh/"}},
     {"lib/refine", {"lib/exact/", "lib/mesh/", "lib/refine/"}},
     {"lib/spline", {"lib/exact/", "lib/mesh/", "lib/spline/"}},
+    {"lib/minimize", {"lib/exact/", "lib/mesh/", "lib/refine/", "lib/gen/", "lib/minimize/"}},
     {"lib/gen", {"lib/exact/", "lib/mesh/", "lib/refine/", "lib/gen/"}},
     {"properties", {"lib/", "properties/"}},
     {"reports", {"lib/", "properties/", "reports/"}},
