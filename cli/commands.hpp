@@ -64,6 +64,18 @@ struct LedgerOptions {
   Format format = Format::text;
 };
 
+struct MinimizeOptions {
+  std::string case_file;
+  std::string claim;
+  std::string property;
+  std::string out;
+  std::string others;
+  std::int64_t budget = 0;  ///< evaluations; 0: no bound
+  bool prove = false;
+  std::int64_t prove_meshes = 100'000'000;
+  Format format = Format::text;
+};
+
 struct ValidateOptions {
   std::vector<std::string> files;
   Format format = Format::text;
@@ -77,6 +89,7 @@ int enumerate(const EnumerateOptions& options);
 int ledger(const LedgerOptions& options);
 int refine(const RefineOptions& options);
 int generate(const GenerateOptions& options);
+int minimize(const MinimizeOptions& options);
 int validate(const ValidateOptions& options);
 
 }  // namespace asts::cli

@@ -68,6 +68,7 @@ class CommandLine {
     add_ledger();
     add_refine();
     add_generate();
+    add_minimize();
     add_validate();
   }
 
@@ -153,6 +154,22 @@ class CommandLine {
     command->callback([this] { chosen_ = [this] { return generate(generate_); }; });
   }
 
+  void add_minimize() {
+    CLI::App* command = app_.add_subcommand("minimize", "make a case that violates a claim as small as possible");
+    command->add_option("CASE", minimize_.case_file, "a case file, or - for standard input")->required();
+    command->add_option("--claim", minimize_.claim, "the claim that it violates (asts claims)");
+    command->add_option("--property", minimize_.property, "or the property (asts check)");
+    command->add_option("--out", minimize_.out, "write the smallest case to this file, not to standard output");
+    command->add_option("--others", minimize_.others, "write cases that violate in another way to this folder");
+    command->add_option("--budget", minimize_.budget, "evaluations of the claim at most; then the smallest so far")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--prove", minimize_.prove, "enumerate smaller meshes: is there none that violates?");
+    command->add_option("--prove-meshes", minimize_.prove_meshes, "choose a scope of so many meshes at most")
+        ->check(CLI::PositiveNumber);
+    add_format(*command, minimize_.format);
+    command->callback([this] { chosen_ = [this] { return minimize(minimize_); }; });
+  }
+
   void add_validate() {
     CLI::App* command = app_.add_subcommand("validate", "decide witnesses again, by separate code");
     command->add_option("FILE", validate_.files, "what `asts check --format json` wrote")->required();
@@ -167,6 +184,7 @@ class CommandLine {
   LedgerOptions ledger_;
   RefineOptions refine_;
   GenerateOptions generate_;
+  MinimizeOptions minimize_;
   ValidateOptions validate_;
   std::function<int()> chosen_;
 };

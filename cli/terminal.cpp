@@ -11,10 +11,10 @@ namespace asts::cli {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupts = 0;
 
 void on_interrupt(int signal) {
-  interrupted = 1;
+  interrupts = 1;
   std::signal(signal, SIG_DFL);
 }
 
@@ -25,8 +25,10 @@ void watch_interrupts() {
   std::signal(SIGTERM, on_interrupt);
 }
 
+bool interrupted() { return interrupts != 0; }
+
 void stop_if_interrupted() {
-  if (interrupted != 0) throw Interrupted{};
+  if (interrupted()) throw Interrupted{};
 }
 
 void print(std::string_view text) {

@@ -12,6 +12,8 @@ struct Interrupted {};
 /// one end it at once.
 void watch_interrupts();
 void stop_if_interrupted();
+/// Whether there was one, for work that has something to save.
+bool interrupted();
 
 /// Writes results to stdout and hands them on at once, so that an interrupt loses nothing. Throws ResourceError when
 /// they cannot be written.

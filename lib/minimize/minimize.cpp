@@ -1,6 +1,5 @@
 #include "lib/minimize/minimize.hpp"
 
-#include "lib/exact/errors.hpp"
 #include "lib/minimize/box_changes.hpp"
 #include "lib/minimize/box_search.hpp"
 #include "lib/minimize/path_passes.hpp"
@@ -149,9 +148,7 @@ const char* guarantee_name(Guarantee guarantee) {
 }
 
 Minimized minimize(const Case& start, PathForm form, const Predicate& predicate, const Oracle::Options& options) {
-  const ViolationKind kind = predicate(start);
-  require(kind.has_value(), "the case does not violate what it is to be minimized for");
-  Oracle oracle(predicate, *kind, options);
+  Oracle oracle(predicate, start, options);
   return Minimizer(start, form, oracle).run();
 }
 

@@ -5,8 +5,13 @@
 
 namespace asts {
 
-Oracle::Oracle(Predicate predicate, std::string kind, Options options)
-    : predicate_(std::move(predicate)), kind_(std::move(kind)), options_(std::move(options)) {}
+Oracle::Oracle(Predicate predicate, const Case& start, Options options)
+    : predicate_(std::move(predicate)), options_(std::move(options)), evaluations_(1) {
+  const ViolationKind violation = predicate_(start);
+  require(violation.has_value(), "the case does not violate what it is to be minimized for");
+  kind_ = *violation;
+  known_.emplace(write_case(start), true);
+}
 
 bool Oracle::asks(const Case& test_case) {
   std::string text = write_case(test_case);

@@ -30,7 +30,8 @@ class Oracle {
     std::function<void()> evaluated;  ///< told after every evaluation; may be empty
   };
 
-  Oracle(Predicate predicate, std::string kind, Options options);
+  /// Asks for the start. Throws InputError when it does not violate.
+  Oracle(Predicate predicate, const Case& start, Options options);
 
   /// Whether a case violates in the way that is looked for. A case that cannot be decided because a resource ends
   /// (ResourceError) does not. Cases are known again by their canonical text.
@@ -47,7 +48,7 @@ class Oracle {
   Predicate predicate_;
   std::string kind_;
   Options options_;
-  std::int64_t evaluations_ = 0;
+  std::int64_t evaluations_;
   std::unordered_map<std::string, bool> known_;
   std::map<std::string, Case> others_;
 };

@@ -23,6 +23,12 @@ CaseSize size_in(const PathCase& paths, std::int64_t subdivisions) {
 
 }  // namespace
 
+CaseSize size_of_mesh(const PathCase& mesh) {
+  std::int64_t subdivisions = 0;
+  for (const PathStep& step : mesh.steps) subdivisions += static_cast<std::int64_t>(step.marks.size());
+  return size_in(mesh, subdivisions);
+}
+
 PathSearch::PathSearch(Oracle& oracle, PathForm form, const PathCase& start) : oracle_(oracle), form_(form) {
   auto state = state_of(start);
   if (!state) throw ResourceError("the meshes of the sequence are too large");
@@ -35,9 +41,7 @@ std::optional<PathSearch::State> PathSearch::state_of(const PathCase& candidate)
   if (form_ == PathForm::mesh) {
     std::vector<ElementPath> subdivided = subdivided_of(candidate);
     state.paths = mesh_of_paths(candidate.setting, std::move(subdivided));
-    std::int64_t subdivisions = 0;
-    for (const PathStep& step : state.paths.steps) subdivisions += static_cast<std::int64_t>(step.marks.size());
-    state.size = size_in(state.paths, subdivisions);
+    state.size = size_of_mesh(state.paths);
   } else {
     FollowedPaths followed = follow_paths(case_of(candidate));
     state.paths = std::move(followed.paths);

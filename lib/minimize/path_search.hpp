@@ -12,6 +12,9 @@ enum class PathForm {
   sequence,  ///< the steps
 };
 
+/// REQUIRES: a mesh.
+CaseSize size_of_mesh(const PathCase& mesh);
+
 /// A case of steps on its way down: the current one violates, and only smaller ones that violate replace it.
 class PathSearch {
  public:
