@@ -76,6 +76,11 @@ struct MinimizeOptions {
   Format format = Format::text;
 };
 
+struct ReplayOptions {
+  std::string folder;
+  Format format = Format::text;
+};
+
 struct ValidateOptions {
   std::vector<std::string> files;
   Format format = Format::text;
@@ -90,6 +95,7 @@ int ledger(const LedgerOptions& options);
 int refine(const RefineOptions& options);
 int generate(const GenerateOptions& options);
 int minimize(const MinimizeOptions& options);
+int replay(const ReplayOptions& options);
 int validate(const ValidateOptions& options);
 
 }  // namespace asts::cli

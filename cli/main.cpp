@@ -69,6 +69,7 @@ class CommandLine {
     add_refine();
     add_generate();
     add_minimize();
+    add_replay();
     add_validate();
   }
 
@@ -170,6 +171,13 @@ class CommandLine {
     command->callback([this] { chosen_ = [this] { return minimize(minimize_); }; });
   }
 
+  void add_replay() {
+    CLI::App* command = app_.add_subcommand("replay", "decide every case of a collection again");
+    command->add_option("DIR", replay_.folder, "a folder of cases named after what they violate")->required();
+    add_format(*command, replay_.format);
+    command->callback([this] { chosen_ = [this] { return replay(replay_); }; });
+  }
+
   void add_validate() {
     CLI::App* command = app_.add_subcommand("validate", "decide witnesses again, by separate code");
     command->add_option("FILE", validate_.files, "what `asts check --format json` wrote")->required();
@@ -185,6 +193,7 @@ class CommandLine {
   RefineOptions refine_;
   GenerateOptions generate_;
   MinimizeOptions minimize_;
+  ReplayOptions replay_;
   ValidateOptions validate_;
   std::function<int()> chosen_;
 };

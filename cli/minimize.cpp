@@ -10,6 +10,7 @@
 #include "cli/trial_chain.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "reports/collection.hpp"
 #include "reports/minimize_report.hpp"
 
 namespace asts::cli {

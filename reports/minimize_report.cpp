@@ -34,6 +34,10 @@ Json size_json(const MinimizedReport& report) {
           {"depth", size.depth}};
 }
 
+std::int64_t element_count(const CaseSize& size) {
+  return size.boxes ? size.subdivisions : size.volume + size.subdivisions * (size.grading - 1);
+}
+
 Json passes_json(const std::vector<PassRecord>& passes) {
   Json result = Json::array();
   for (const PassRecord& pass : passes) {
@@ -57,13 +61,6 @@ Json proof_json(const MinimizedReport::Proof& proof) {
           {"meshes", proof.meshes},
           {"settings_without_active_nodes", proof.excluded},
           {"violating", proof.violating}};
-}
-
-/// FNV-1a, 64 bits.
-std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
 }
 
 }  // namespace
@@ -117,15 +114,12 @@ std::string minimized_json(const MinimizedReport& report) {
   json["last_run"] = passes_json(minimized.last_run);
   json["others"] = others_json(minimized.others);
   json["step"] = minimized.smallest.steps.size();
+  if (!report.statement.of_sequence()) json["elements"] = element_count(minimized.size);
   Json verdict = verdict_json(report.trial.verdict);
   if (report.statement.claim != nullptr) verdict["met"] = report.trial.met;
   json[report.statement.claim != nullptr ? "claims" : "properties"][report.statement.id()] = verdict;
   json["mesh"] = write_case(minimized.smallest);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string collection_name(const std::string& statement, const std::string& kind, const Case& test_case) {
-  return fmt::format("{}-{}-{:016x}.case", statement, kind, hash_of(write_case(test_case)));
 }
 
 }  // namespace asts

@@ -42,7 +42,4 @@ std::string minimized_summary(const MinimizedReport& report);
 /// One line of JSON that asts validate reads.
 std::string minimized_json(const MinimizedReport& report);
 
-/// `<claim>-<kind>-<hash>.case`: the name in a collection. The hash is that of the case's canonical text.
-std::string collection_name(const std::string& statement, const std::string& kind, const Case& test_case);
-
 }  // namespace asts

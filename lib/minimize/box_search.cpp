@@ -23,6 +23,26 @@ bool drop_box_layers(BoxSearch& search) {
   return any;
 }
 
+/// Two neighbouring layers become one of half the thickness each.
+bool compress_layers(BoxSearch& search) {
+  bool any = false;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    for (int first = 0; first + 1 < search.current().domain[at(axis)];) {
+      std::vector<Rational> to = coordinates_of(search.current(), axis);
+      for (Rational& coordinate : to) {
+        if (coordinate >= first + 2)
+          coordinate -= 1;
+        else if (coordinate > first)
+          coordinate = first + (coordinate - first) / 2;
+      }
+      const bool compressed = search.propose(with_coordinates(search.current(), axis, to));
+      any |= compressed;
+      first += compressed ? 0 : 1;
+    }
+  }
+  return any;
+}
+
 /// Coordinates strictly inside of the domain.
 std::size_t inner_coordinates(const Case& boxes, Axis axis) { return coordinates_of(boxes, axis).size() - 2; }
 
@@ -166,9 +186,9 @@ bool BoxSearch::propose(const Case& candidate) {
 }
 
 std::span<const BoxPass> simplifying_passes() {
-  static constexpr std::array kPasses{BoxPass{"drop-layers", drop_box_layers},
-                                      BoxPass{"collapse-coordinates", collapse_coordinates},
-                                      BoxPass{"simplify-coordinates", simplify_coordinates}};
+  static constexpr std::array kPasses{
+      BoxPass{"drop-layers", drop_box_layers}, BoxPass{"collapse-coordinates", collapse_coordinates},
+      BoxPass{"compress-layers", compress_layers}, BoxPass{"simplify-coordinates", simplify_coordinates}};
   return kPasses;
 }
 

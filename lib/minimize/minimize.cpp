@@ -116,13 +116,19 @@ class Minimizer {
     return false;
   }
 
+  /// Before a search began the start is the best.
   void take_best() {
+    if (!paths_ && !boxes_ && !result_.smallest.explicit_mesh) {
+      paths_.emplace(oracle_, PathForm::sequence, follow_paths(result_.smallest).paths);
+    }
     if (paths_) {
       result_.smallest = paths_->written();
       result_.size = paths_->size();
     } else if (boxes_) {
       result_.smallest = boxes_->current();
       result_.size = boxes_->size();
+    } else {
+      result_.size = size_of_boxes(result_.smallest);
     }
   }
 
