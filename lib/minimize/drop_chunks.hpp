@@ -11,13 +11,17 @@ namespace asts {
 inline bool drop_chunks(const std::function<std::size_t()>& count,
                         const std::function<bool(std::size_t first, std::size_t entries)>& remove) {
   bool any = false;
-  for (std::size_t size = count(); size > 0; size /= 2) {
+  for (std::size_t size = count(); size > 0;) {
+    bool some = false;
     for (std::size_t first = 0; first < count();) {
       const std::size_t entries = std::min(size, count() - first);
       const bool removed = remove(first, entries);
-      any = any || removed;
+      some = some || removed;
       if (!removed) first += entries;
     }
+    any = any || some;
+    const std::size_t divisor = some || size < 8 ? 2 : 4;
+    size /= divisor;
   }
   return any;
 }

@@ -47,6 +47,7 @@ std::optional<PathCase> resized(const PathCase& paths, const PerAxis<std::size_t
 }  // namespace
 
 bool grow_and_drop(PathSearch& search) {
+  if (subdivided_of(search.current()).size() > kMostMoved) return false;
   const std::int64_t subdivisions = search.size().subdivisions;
   for (const PathCase& larger : grown(search.current())) {
     PathSearch other = search;

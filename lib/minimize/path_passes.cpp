@@ -155,11 +155,6 @@ bool shift(PathSearch& search, Axis axis) {
   }
 }
 
-std::vector<ElementPath> all_marks(const PathCase& paths) { return subdivided_of(paths); }
-
-/// More marks than that are not moved one by one.
-constexpr std::size_t kMostMoved = 256;
-
 }  // namespace
 
 bool drop_elements(PathSearch& search) {
@@ -224,10 +219,10 @@ bool permute_axes(PathSearch& search) {
 bool move_to_origin(PathSearch& search) {
   bool any = false;
   for (Axis axis = 0; axis < kDimension; ++axis) any |= shift(search, axis);
-  std::vector<ElementPath> marks = all_marks(search.current());
+  std::vector<ElementPath> marks = subdivided_of(search.current());
   if (marks.size() > kMostMoved) return any;
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const std::vector<ElementPath> now = all_marks(search.current());
+    const std::vector<ElementPath> now = subdivided_of(search.current());
     if (i >= now.size()) break;
     ElementPath element = now[i];
     if (level_of(element) > 0) {
@@ -251,7 +246,7 @@ bool reflect_axes(PathSearch& search) {
 }
 
 bool merge_steps(PathSearch& search) {
-  if (search.form() == PathForm::mesh) return false;
+  if (search.form() == PathForm::mesh || search.current().steps.size() > kMostMoved) return false;
   bool any = false;
   for (std::size_t step = 0; step + 1 < search.current().steps.size();) {
     PathCase merged = search.current();

@@ -13,6 +13,10 @@ struct PathPass {
   bool (*run)(PathSearch& search);
 };
 
+/// More marks are not moved, and more steps not merged, one by one; nor is a case with more of them looked at in larger
+/// settings.
+inline constexpr std::size_t kMostMoved = 256;
+
 /// What makes a case smaller step by step: cheap, and enough to come from a large case to a small one.
 std::span<const PathPass> descent_passes();
 /// What leads out of a case that none of these makes smaller.
