@@ -56,6 +56,18 @@ PathCase with_layers(const PathCase& paths, Axis axis, int first, int count) {
   return result;
 }
 
+std::optional<PathCase> shifted(const PathCase& paths, Axis axis, int layers) {
+  bool inside = true;
+  PathCase result = map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
+    std::int32_t& layer = path[at(axis)];
+    layer += layers;
+    inside = inside && layer >= 0 && layer < paths.setting.domain[at(axis)];
+    return path;
+  });
+  if (!inside) return std::nullopt;
+  return result;
+}
+
 PathCase with_grading(const PathCase& paths, int grading, ChildMap map) {
   PathCase result = map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
     for (std::size_t i = kDimension; i < path.size(); ++i) {

@@ -30,6 +30,9 @@ enum class ChildMap {
 };
 PathCase with_grading(const PathCase& paths, int grading, ChildMap map);
 
+/// Everything a number of layers farther along an axis; nothing when that leaves the domain.
+std::optional<PathCase> shifted(const PathCase& paths, Axis axis, int layers);
+
 /// The domain in a mirror: x -> X~ - x along each axis that is set.
 PathCase reflected(const PathCase& paths, const PerAxis<bool>& axes);
 

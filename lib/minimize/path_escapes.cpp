@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -72,6 +73,56 @@ bool reshape_domain(PathSearch& search) {
   return false;
 }
 
+namespace {
+
+/// More unit cubes are not joined.
+constexpr std::size_t kMostJoined = 4;
+
+/// The case, and the case with everything one layer farther along an axis or back.
+std::vector<PathCase> all_shifts(const PathCase& paths) {
+  std::vector<PathCase> result{paths};
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    for (const int layers : {1, -1}) {
+      if (auto candidate = shifted(paths, axis, layers)) result.push_back(std::move(*candidate));
+    }
+  }
+  return result;
+}
+
+PathCase joined(const PathCase& mesh, const ElementPath& from, const ElementPath& to) {
+  return map_paths(mesh, [&](ElementPath path) -> std::optional<ElementPath> {
+    if (leads_to(from, path)) std::copy(to.begin(), to.end(), path.begin());
+    return path;
+  });
+}
+
+bool propose_shifted(PathSearch& search, const PathCase& candidate) {
+  for (const PathCase& one : all_shifts(candidate)) {
+    if (search.propose(one)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool join_cubes(PathSearch& search) {
+  if (search.form() != PathForm::mesh || search.current().steps.empty()) return false;
+  const std::vector<ElementPath> cubes = search.current().steps.front().marks;
+  if (cubes.size() > kMostJoined) return false;
+  for (const ElementPath& from : cubes) {
+    for (const ElementPath& to : cubes) {
+      if (from == to) continue;
+      const PathCase candidate = joined(search.current(), from, to);
+      if (propose_shifted(search, candidate)) return true;
+      for (Axis axis = 0; axis < kDimension; ++axis) {
+        const int side = candidate.setting.domain[at(axis)];
+        if (propose_shifted(search, with_layers(candidate, axis, side, 1))) return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool lower_levels(PathSearch& search) {
   if (search.form() != PathForm::mesh || search.current().steps.empty()) return false;
   const auto candidate = one_level_lower(search.current());
@@ -95,9 +146,10 @@ bool lower_degree_inside(PathSearch& search) {
 }
 
 std::span<const PathPass> escape_passes() {
-  static constexpr std::array kPasses{
-      PathPass{"lower-degree-inside", lower_degree_inside}, PathPass{"lower-levels", lower_levels},
-      PathPass{"reshape-domain", reshape_domain}, PathPass{"grow-and-drop", grow_and_drop}};
+  static constexpr std::array kPasses{PathPass{"lower-degree-inside", lower_degree_inside},
+                                      PathPass{"lower-levels", lower_levels},
+                                      PathPass{"reshape-domain", reshape_domain}, PathPass{"join-cubes", join_cubes},
+                                      PathPass{"grow-and-drop", grow_and_drop}};
   return kPasses;
 }
 

@@ -140,19 +140,15 @@ bool lower_entry(PathSearch& search, ElementPath& element, std::size_t i) {
   return false;
 }
 
-/// All unit cubes one layer lower.
+/// All unit cubes one layer lower, again and again.
 bool shift(PathSearch& search, Axis axis) {
   bool any = false;
-  while (true) {
-    bool at_side = false;
-    const PathCase shifted = map_paths(search.current(), [&](ElementPath path) -> std::optional<ElementPath> {
-      at_side = at_side || path[at(axis)] == 0;
-      --path[at(axis)];
-      return path;
-    });
-    if (at_side || search.current().steps.empty() || !search.propose(shifted)) return any;
+  while (!search.current().steps.empty()) {
+    const auto candidate = shifted(search.current(), axis, -1);
+    if (!candidate || !search.propose(*candidate)) break;
     any = true;
   }
+  return any;
 }
 
 }  // namespace

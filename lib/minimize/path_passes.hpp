@@ -34,6 +34,9 @@ bool write_out_closure(PathSearch& search);  ///< of a sequence: the bare steps 
 
 /// A larger setting in which fewer subdivisions do: one layer more, degree 2 higher, a higher m.
 bool grow_and_drop(PathSearch& search);
+/// What is in one unit cube moved into another, with all shifted by a layer or not, and the domain longer by one or
+/// not.
+bool join_cubes(PathSearch& search);
 /// The same cuts one level lower, along other axes.
 bool lower_levels(PathSearch& search);
 /// A degree lower by 2 with two layers less anywhere.
