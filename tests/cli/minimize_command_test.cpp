@@ -34,6 +34,17 @@ TEST(MinimizeCommand, PrintsTheSmallestCaseAndGivesItBackUnchanged) {
   EXPECT_EQ(run({"minimize", "-", "--claim", "as-implies-dc"}, first.out).out, first.out) << "standard input";
 }
 
+// The findings are what the minimizer makes, but for those that take minutes and the one that shows a second point.
+TEST(MinimizeCommand, LeavesTheFindingsAsTheyAre) {
+  for (const char* id :
+       {"as-implies-dc", "as-implies-dual-basis", "dc-implies-as", "case-table", "new-node-split",
+        "perturbed-cover-hanging", "frame-in-index-sets", "planar-equals-classical", "child-distance",
+        "child-distance-bound", "distance-bound"}) {
+    const std::string file = kFindings + id + ".case";
+    EXPECT_EQ(run({"minimize", file, "--claim", id}).out, content_of(file)) << id;
+  }
+}
+
 TEST(MinimizeCommand, MinimizesForAPropertyFromALargeCase) {
   const TemporaryFolder folder;
   const std::string file = folder.write("large.case", kLarge);
