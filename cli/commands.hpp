@@ -70,6 +70,7 @@ struct MinimizeOptions {
   std::string property;
   std::string out;
   std::string others;
+  std::string snippet;
   std::int64_t budget = 0;  ///< evaluations; 0: no bound
   bool prove = false;
   std::int64_t prove_meshes = 100'000'000;

@@ -162,6 +162,7 @@ class CommandLine {
     command->add_option("--property", minimize_.property, "or the property (asts check)");
     command->add_option("--out", minimize_.out, "write the smallest case to this file, not to standard output");
     command->add_option("--others", minimize_.others, "write cases that violate in another way to this folder");
+    command->add_option("--snippet", minimize_.snippet, "write the smallest case as a C++ program to this file");
     command->add_option("--budget", minimize_.budget, "evaluations of the claim at most; then the smallest so far")
         ->check(CLI::PositiveNumber);
     command->add_flag("--prove", minimize_.prove, "enumerate smaller meshes: is there none that violates?");

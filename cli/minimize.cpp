@@ -10,6 +10,7 @@
 #include "cli/trial_chain.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "reports/case_snippet.hpp"
 #include "reports/collection.hpp"
 #include "reports/minimize_report.hpp"
 
@@ -142,6 +143,7 @@ int minimize(const MinimizeOptions& options) {
   const Statement statement = statement_named(options);
   const Input input = read_input(options.case_file);
   auto out = open_beside(options.out, options.case_file);
+  auto snippet = open_beside(options.snippet, options.case_file);
   if (!options.others.empty() && !std::filesystem::is_directory(options.others)) {
     throw InputError(options.others + ": is no folder");
   }
@@ -153,6 +155,7 @@ int minimize(const MinimizeOptions& options) {
   }
   const std::string text = minimized_case_text(report);
   if (out) out->finish(text);
+  if (snippet) snippet->finish(case_snippet(report.minimized.smallest, statement));
   if (options.format == Format::json) {
     print(minimized_json(report));
   } else if (!out) {

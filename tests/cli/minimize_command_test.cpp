@@ -36,10 +36,9 @@ TEST(MinimizeCommand, PrintsTheSmallestCaseAndGivesItBackUnchanged) {
 
 // The findings are what the minimizer makes, but for those that take minutes and the one that shows a second point.
 TEST(MinimizeCommand, LeavesTheFindingsAsTheyAre) {
-  for (const char* id :
-       {"as-implies-dc", "as-implies-dual-basis", "dc-implies-as", "case-table", "new-node-split",
-        "perturbed-cover-hanging", "frame-in-index-sets", "planar-equals-classical", "child-distance",
-        "child-distance-bound", "distance-bound"}) {
+  for (const char* id : {"as-implies-dc", "as-implies-dual-basis", "dc-implies-as", "case-table", "new-node-split",
+                         "perturbed-cover-hanging", "frame-in-index-sets", "planar-equals-classical", "child-distance",
+                         "child-distance-bound", "distance-bound"}) {
     const std::string file = kFindings + id + ".case";
     EXPECT_EQ(run({"minimize", file, "--claim", id}).out, content_of(file)) << id;
   }
@@ -65,6 +64,8 @@ TEST(MinimizeCommand, WritesToAFileThatIsNotItsInput) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out, "");
   EXPECT_TRUE(content_of(out).starts_with("# Counterexample to the property admissible")) << content_of(out);
+  run({"minimize", file, "--property", "admissible", "--out", out, "--snippet", folder.path("least.cpp")});
+  EXPECT_NE(content_of(folder.path("least.cpp")).find("test_case.domain = {1, 1, 2};"), std::string::npos);
   std::filesystem::create_symlink(file, folder.path("link.case"));
   for (const std::string& same : {file, folder.path("link.case"), folder.path("./large.case")}) {
     const Outcome refused = run({"minimize", file, "--property", "admissible", "--out", same});
