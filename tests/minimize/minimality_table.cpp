@@ -43,9 +43,22 @@ std::vector<Row> all_rows() {
   return rows;
 }
 
-/// What the two shrinkers did with one row's starts.
+/// Elements subdivided in the last mesh; of an explicit mesh all its boxes, which may get fewer than the unit cubes.
+struct Size {
+  bool boxes;
+  std::int64_t count;
+
+  friend auto operator<=>(const Size&, const Size&) = default;
+};
+
+Size shown_size(const Case& test_case) {
+  if (test_case.explicit_mesh) return {true, static_cast<std::int64_t>(test_case.elements.size())};
+  return {false, size_of(test_case)};
+}
+
+/// What one of the two shrinkers did with a row's starts.
 struct Column {
-  std::map<std::int64_t, int> sizes;
+  std::map<Size, int> sizes;
   std::vector<std::int64_t> evaluations;
   double seconds = 0;
 
@@ -56,7 +69,7 @@ struct Column {
   std::string sizes_text() const {
     std::string text;
     for (const auto& [size, count] : sizes) {
-      text += (text.empty() ? "" : ", ") + fmt::format("{} ({})", size, count);
+      text += (text.empty() ? "" : ", ") + fmt::format("{}{} ({})", size.count, size.boxes ? " boxes" : "", count);
     }
     return text;
   }
@@ -72,7 +85,7 @@ void measure(Column& column, const Shrink& shrink) {
 }
 
 void print_row(const Row& row, std::uint64_t seeds, std::int64_t cap) {
-  using Result = std::pair<std::int64_t, std::int64_t>;
+  using Result = std::pair<Size, std::int64_t>;
   std::set<std::string> kinds;
   std::set<std::string> guarantees;
   Column ours;
@@ -84,12 +97,12 @@ void print_row(const Row& row, std::uint64_t seeds, std::int64_t cap) {
     measure(ours, [&]() -> Result {
       const Minimized result = minimize(start, row.form, row.violation, {cap, {}, {}});
       guarantees.insert(guarantee_name(result.guarantee));
-      return {size_of(result.smallest), result.evaluations};
+      return {shown_size(result.smallest), result.evaluations};
     });
     measure(theirs, [&]() -> Result {
       const auto fails = [&](const Case& other) { return row.violation(other) == kind; };
       const Shrunk result = shrink_with_rapidcheck(start, fails, cap);
-      return {size_of(result.smallest), result.evaluations};
+      return {shown_size(result.smallest), result.evaluations};
     });
   }
   const auto joined = [](const std::set<std::string>& words) {
