@@ -48,6 +48,13 @@ ExactBox describe_environment(const RefinementTree& tree, std::int32_t id) {
   return box;
 }
 
+void append_elements(ClaimWitness& witness, const std::string& name, const RefinementTree& tree,
+                     const std::vector<std::int32_t>& elements) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    witness.values.emplace_back(name + " " + std::to_string(i + 1), describe_tree_element(tree, elements[i]));
+  }
+}
+
 ActiveNodeInfo describe_node(const Mesh& mesh, const TSplines& splines, std::int32_t node) {
   ActiveNodeInfo info;
   for (Axis axis = 0; axis < kDimension; ++axis) {

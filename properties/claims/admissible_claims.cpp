@@ -1,6 +1,7 @@
 #include "properties/claims/admissible_claims.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "lib/refine/admissibility.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 ClaimWitness with_marks(const char* kind, const char* says, const RefinementTree& tree, const Elements& marks) {
   ClaimWitness witness{kind, says, {}};
-  for (const std::int32_t mark : marks) witness.values.emplace_back("mark", describe_tree_element(tree, mark));
+  append_elements(witness, "mark", tree, marks);
   return witness;
 }
 
@@ -46,12 +47,13 @@ class Growing {
     for (std::int32_t id = 0; id < target.node_count(); ++id) {
       if (target.node(id).level >= 0 && !target.is_leaf(id)) inner_.push_back(id);
     }
-    std::stable_sort(inner_.begin(), inner_.end(),
-                     [&](std::int32_t a, std::int32_t b) { return target.node(a).level < target.node(b).level; });
+    std::sort(inner_.begin(), inner_.end(),
+              [&](std::int32_t a, std::int32_t b) { return place_in_order(a) < place_in_order(b); });
   }
 
   RefinementTree& tree() { return tree_; }
-  /// The elements to subdivide, by rising level: those above an element come before it.
+  /// The elements to subdivide, by rising level, so that those above an element come before it, and by their lower
+  /// corners.
   const Elements& inner() const { return inner_; }
   std::int32_t place(std::int32_t id) const { return place_[at(id)]; }
 
@@ -63,6 +65,11 @@ class Growing {
   }
 
  private:
+  std::array<std::int32_t, 4> place_in_order(std::int32_t id) const {
+    return {target_.node(id).level, target_.extent(id, 0).lower, target_.extent(id, 1).lower,
+            target_.extent(id, 2).lower};
+  }
+
   const RefinementTree& target_;
   RefinementTree tree_;
   Elements place_;
@@ -72,7 +79,8 @@ class Growing {
 Verdict not_alone(const RefinementTree& target, std::int32_t id, std::int64_t before, std::int64_t after) {
   return Verdict::violated(
       ClaimWitness{"refine-subdivides-others",
-                   "marked in the order of levels, the element is not subdivided by its call of refine, or not alone",
+                   "marked in the order of levels, and of lower corners among equal ones, the element is not "
+                   "subdivided by its call of refine, or not alone",
                    {{"element", describe_tree_element(target, id)},
                     {"elements before", before},
                     {"elements after", after},

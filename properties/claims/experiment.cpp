@@ -17,7 +17,7 @@ constexpr int kLeastGrading = 2;
 constexpr int kLargestGrading = 5;
 constexpr std::int64_t kStepsToRepeat = 40;
 constexpr const char* kPrintedBound = "C/3000";
-constexpr const char* kLimit = "limit of the ratio";
+constexpr const char* kLimit = "limit stated";
 
 CubeRootNumber printed_bound(int grading) { return experiment_constant(grading) * (Rational(1) / kExperimentDivisor); }
 
@@ -161,7 +161,10 @@ Trial experiment_repaired_alone(Extent) {
     const bool certified = growth == PerAxis<std::int64_t>{limit, limit, limit};
     if (certified && experiment_constant(m) * (Rational(1) / 2849) > Rational(limit)) continue;
     ClaimWitness witness{"other-limit", "what late steps add is not the limit stated, or not below C/2849", {}};
-    witness.values = {{"m", std::int64_t{m}}, {"limit stated", limit}, {"late step", growth[0]}};
+    witness.values = {{"m", std::int64_t{m}},
+                      {"limit stated", limit},
+                      {"late steps", ExactPoint{growth[0], growth[1], growth[2]}},
+                      {"C/2849", shown(experiment_constant(m) * (Rational(1) / 2849))}};
     return {Verdict::violated(std::move(witness)), m - kLeastGrading + 1};
   }
   return all_ratios_below(limit_bound, kLimit);

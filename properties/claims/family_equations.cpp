@@ -101,6 +101,7 @@ std::optional<ClaimWitness> judge_radius_step(const ParentAndChild& family) {
   for (std::size_t axis = 0; axis < kDimension; ++axis) {
     if (inner[axis] + step[axis] <= outer[axis]) continue;
     ClaimWitness witness = witness_of(family, "radius-step", "D(l(K)) + Dist(K,K^) exceeds D(l(K) - 1)");
+    witness.values.emplace_back("degrees", to_point(setting.degree));
     witness.values.emplace_back("Dist(K,K^)", step);
     witness.values.emplace_back("D(l(K))", inner);
     witness.values.emplace_back("D(l(K) - 1)", outer);

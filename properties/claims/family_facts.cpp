@@ -68,6 +68,8 @@ Trial judge_families(const std::vector<ParentAndChild>& families, FamilyJudge ju
   return {Verdict::holds(), met};
 }
 
+ExactPoint to_point(const PerAxis<int>& degree) { return {degree[0], degree[1], degree[2]}; }
+
 ExactPoint midpoint(const ExactBox& box) {
   ExactPoint result;
   for (std::size_t axis = 0; axis < kDimension; ++axis) result[axis] = (box.lower[axis] + box.upper[axis]) / 2;

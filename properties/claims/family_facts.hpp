@@ -34,6 +34,9 @@ std::vector<ParentAndChild> families_of_every_grading();
 /// The first violation, and the number of pairs up to it. Not applicable without pairs.
 Trial judge_families(const std::vector<ParentAndChild>& families, FamilyJudge judge);
 
+/// The degrees, as a witness shows them.
+ExactPoint to_point(const PerAxis<int>& degree);
+
 /// mid(K).
 ExactPoint midpoint(const ExactBox& box);
 

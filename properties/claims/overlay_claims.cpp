@@ -30,10 +30,11 @@ bool incomparable(const RefinementTree& one, const RefinementTree& other) {
 
 /// One of the meshes that a witness is about: what its tree has subdivided.
 void append_subdivided(const char* name, const RefinementTree& tree, ClaimWitness& witness) {
+  Elements subdivided;
   for (std::int32_t id = 0; id < tree.node_count(); ++id) {
-    if (tree.node(id).level < 0 || tree.is_leaf(id)) continue;
-    witness.values.emplace_back(name, describe_tree_element(tree, id));
+    if (tree.node(id).level >= 0 && !tree.is_leaf(id)) subdivided.push_back(id);
   }
+  append_elements(witness, name, tree, subdivided);
 }
 
 template <class Judge>

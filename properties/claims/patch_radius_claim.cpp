@@ -29,13 +29,24 @@ ExactPoint sides_of_level(int grading, int level) {
   return sides;
 }
 
-Verdict wrong_radius(const char* says, Axis axis, int level, int grading, const Rational& value,
+Verdict wrong_radius(const char* says, Axis axis, int degree, int level, int grading, const Rational& value,
                      const Rational& expected) {
   return Verdict::violated(ClaimWitness{"patch-radius",
                                         says,
                                         {{"axis", axis_name(axis)},
+                                         {"degree along the axis", std::int64_t{degree}},
                                          {"level", std::int64_t{level}},
                                          {"grading", std::int64_t{grading}},
+                                         {"value", value},
+                                         {"compared with", expected}}});
+}
+
+Verdict wrong_end(const char* says, const RefinementTree& tree, std::int32_t k, Axis axis, const Rational& value,
+                  const Rational& expected) {
+  return Verdict::violated(ClaimWitness{"environment",
+                                        says,
+                                        {{"K", describe_tree_element(tree, k)},
+                                         {"axis", axis_name(axis)},
                                          {"value", value},
                                          {"compared with", expected}}});
 }
@@ -49,12 +60,8 @@ std::optional<Verdict> wrong_environment(const RefinementTree& tree, std::int32_
     const Rational middle = (box.lower[a] + box.upper[a]) / 2;
     const Rational lower = std::max(Rational(middle - radius[a]), Rational(0));
     const Rational upper = std::min(Rational(middle + radius[a]), Rational(tree.setting().domain[a]));
-    const int level = tree.node(k).level;
-    const int grading = tree.setting().grading;
-    if (open.lower[a] != lower) {
-      return wrong_radius("U(K) begins elsewhere", axis, level, grading, open.lower[a], lower);
-    }
-    if (open.upper[a] != upper) return wrong_radius("U(K) ends elsewhere", axis, level, grading, open.upper[a], upper);
+    if (open.lower[a] != lower) return wrong_end("U(K) begins elsewhere", tree, k, axis, open.lower[a], lower);
+    if (open.upper[a] != upper) return wrong_end("U(K) ends elsewhere", tree, k, axis, open.upper[a], upper);
   }
   return std::nullopt;
 }
@@ -84,14 +91,16 @@ Trial judge_radius(const RadiusOf& radius, const PerAxis<int>& degree, int gradi
     const auto a = at(axis);
     const Rational linear = sides[a] * reach(degree[a]);
     if (radii[a] != linear) {
-      return {wrong_radius("D(k) is not size * (p + 3/2)", axis, level, grading, radii[a], linear), trial.met};
+      return {wrong_radius("D(k) is not size * (p + 3/2)", axis, degree[a], level, grading, radii[a], linear),
+              trial.met};
     }
     if (grading == 2) continue;
     const Rational before = radius(degree, grading - 1, level)[a];
     const bool cut = sides[a] < 1;
     trial.met += cut;
     if (radii[a] > before || (cut && radii[a] == before)) {
-      return {wrong_radius("D(k) does not decrease from grading m - 1 to m", axis, level, grading, radii[a], before),
+      return {wrong_radius("D(k) does not decrease from grading m - 1 to m", axis, degree[a], level, grading, radii[a],
+                           before),
               trial.met};
     }
   }

@@ -21,7 +21,7 @@ using Vector = std::vector<Rational>;
 
 Witness not_one(const PerfectBspline& spline, const FieldElement& integral) {
   return ClaimWitness{"integral-not-one",
-                      "the integral of B* over [-1, 1]",
+                      "the integral of B* over [-1, 1] is not 1",
                       {{"degree", std::int64_t{spline.degree}}, {"integral", integral}}};
 }
 

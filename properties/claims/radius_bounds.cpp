@@ -43,6 +43,7 @@ std::optional<ClaimWitness> compare(const Setting& setting, int level, const cha
     if (bound >= value[at(axis)]) continue;
     ClaimWitness witness{kind, "a coordinate exceeds its bound", {}};
     witness.values = {{"m", std::int64_t{setting.grading}},
+                      {"degrees", to_point(setting.degree)},
                       {"k", std::int64_t{level}},
                       {"axis", std::string(axis_name(axis))},
                       {"value", value},
@@ -79,7 +80,7 @@ std::optional<ClaimWitness> judge_level_bounds(const Setting& setting, int level
   for (std::size_t axis = 0; axis < kDimension; ++axis) {
     if (size[axis] <= before[axis]) continue;
     ClaimWitness witness{"size-grows", "size(k) exceeds size(k - 1)", {}};
-    witness.values = {{"k", std::int64_t{level}}, {"size(k)", size}, {"size(k - 1)", before}};
+    witness.values = {{"m", std::int64_t{m}}, {"k", std::int64_t{level}}, {"size(k)", size}, {"size(k - 1)", before}};
     return witness;
   }
   return std::nullopt;

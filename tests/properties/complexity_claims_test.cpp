@@ -501,7 +501,7 @@ Verdict experiment_counting_old_elements() {
   SelfSimilarity certificate = experiment_certificate(5);
   for (std::int64_t& count : certificate.new_elements) count += 124;
   certificate.new_elements.back() += 5000;
-  return verdict_of(judge_experiment(5, certificate, {5, Rational(experiment_limit(5))}, "limit"));
+  return verdict_of(judge_experiment(5, certificate, {5, Rational(experiment_limit(5))}, "limit stated"));
 }
 
 /// The lemma's failure by the literal code: each step's subdivisions are admissible, and no mark is close enough.

@@ -11,7 +11,10 @@ ClaimSubject::ClaimSubject(const Setting& setting, std::vector<LiteralStep> step
 ClaimSubject::ClaimSubject(const Setting& setting, Mesh explicit_mesh)
     : setting_(setting), mesh_(std::move(explicit_mesh)) {}
 
+ClaimSubject ClaimSubject::none() { return {}; }
+
 const Mesh& ClaimSubject::mesh() {
+  if (is_none()) throw Rejected("there is no mesh");
   if (!mesh_) {
     mesh_ = initial_mesh(setting_);
     for (const LiteralStep& step : *steps_) mesh_ = after_step(setting_, *mesh_, step);

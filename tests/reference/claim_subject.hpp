@@ -20,15 +20,21 @@ class ClaimSubject {
  public:
   ClaimSubject(const Setting& setting, std::vector<LiteralStep> steps);
   ClaimSubject(const Setting& setting, Mesh explicit_mesh);
+  /// No mesh at all: the witness of a statement that needs none is decided by its numbers alone.
+  static ClaimSubject none();
 
+  bool is_none() const { return !steps_ && !mesh_; }
   const Setting& setting() const { return setting_; }
-  /// nullptr for an explicit mesh.
+  /// nullptr for an explicit mesh, or where there is none.
   const std::vector<LiteralStep>* steps() const { return steps_ ? &*steps_ : nullptr; }
-  /// The last mesh; tiles the domain. Throws Rejected when the boxes do not, or when a mark lies outside of the domain.
+  /// The last mesh; tiles the domain. Throws Rejected when the boxes do not, when a mark lies outside of the
+  /// domain, or when there is no mesh.
   const Mesh& mesh();
 
  private:
-  Setting setting_;
+  ClaimSubject() = default;
+
+  Setting setting_{{3, 3, 3}, 2, {1, 1, 1}};
   std::optional<std::vector<LiteralStep>> steps_;
   std::optional<Mesh> mesh_;
   bool tiles_ = false;

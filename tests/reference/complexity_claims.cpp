@@ -36,19 +36,31 @@ RootSum lambda(const Setting& s, const Box& k, const Box& mark, const Rational& 
 
 }  // namespace
 
-RootSum distance_constant(const Setting& s, int axis) {
+namespace {
+
+/// `child` stands for what the children's distance adds, over m^(1/3) - 1.
+RootSum constant_with(const Setting& s, int axis, const Rational& child) {
   const int m = s.grading;
   const RootSum t = root_power(m, 1), one{m, 1};
   const RootSum sum = RootSum{m, Rational(s.degree[static_cast<std::size_t>(axis)])} +
-                      (RootSum{m, 3} + t) * (Rational(1) / 2) + (t - one) * (Rational(1) / (m * m));
+                      (RootSum{m, 3} + t) * (Rational(1) / 2) + (t - one) * child;
   return root_power(m, axis) * geometric_sum(m) * sum;
 }
 
-RootSum complexity_constant(const Setting& s) {
+}  // namespace
+
+RootSum distance_constant(const Setting& s, int axis) {
+  return constant_with(s, axis, Rational(1) / s.grading / s.grading);
+}
+
+RootSum repaired_distance_constant(const Setting& s, int axis) {
+  return constant_with(s, axis, Rational(s.grading - 1) / 2 / s.grading);
+}
+
+RootSum complexity_constant(const Setting& s, DistanceConstant d) {
   const int m = s.grading;
   RootSum product = root_power(m, 1) * geometric_sum(m);
-  for (int axis = 0; axis < 3; ++axis)
-    product = product * (distance_constant(s, axis) * Rational(4) + root_power(m, axis));
+  for (int axis = 0; axis < 3; ++axis) product = product * (d(s, axis) * Rational(4) + root_power(m, axis));
   return product;
 }
 

@@ -10,8 +10,12 @@ namespace asts::reference {
 /// Lemma 7.2: d_1, d_2, d_3; axis from 0.
 RootSum distance_constant(const Setting& setting, int axis);
 
-/// Theorem 7.1: C.
-RootSum complexity_constant(const Setting& setting);
+/// With (m-1)(m^(1/3)-1)/(2m) in place of (m^(1/3)-1)/m^2, as the repaired claims have it.
+RootSum repaired_distance_constant(const Setting& setting, int axis);
+
+/// Theorem 7.1: C, for these d_1, d_2, d_3.
+using DistanceConstant = RootSum (*)(const Setting&, int axis);
+RootSum complexity_constant(const Setting& setting, DistanceConstant d = distance_constant);
 
 /// Lemma 7.2 for one mesh and one set of marks. REQUIRES: every element has a level.
 bool distance_bound_holds(const Setting& setting, const Mesh& mesh, const std::vector<std::size_t>& marked,

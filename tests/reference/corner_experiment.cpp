@@ -25,7 +25,7 @@ struct Run {
   std::vector<std::array<std::int64_t, 3>> sizes;  ///< by level
 
   Run(const Setting& s, int steps) : setting(s) {
-    if (steps > 20) throw std::invalid_argument("too many steps for whole numbers of 64 bits");
+    if (steps > 24) throw std::invalid_argument("too many steps for whole numbers of 64 bits");
     for (int level = 0; level < steps + 3; level += 3) unit *= s.grading;
     for (int level = 0; level <= steps; ++level)
       sizes.push_back({size_of(level, 0), size_of(level, 1), size_of(level, 2)});

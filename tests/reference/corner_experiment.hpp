@@ -8,7 +8,7 @@
 namespace asts::reference {
 
 /// The experiment of Section 7, run with whole numbers: the element at the origin is marked in every step.
-/// The counts |G_n \ G_0| for n = 0, ..., steps, by the literal Algorithms 2.8 and 2.9. REQUIRES: steps <= 20.
+/// The counts |G_n \ G_0| for n = 0, ..., steps, by the literal Algorithms 2.8 and 2.9. REQUIRES: steps <= 24.
 std::vector<std::int64_t> corner_counts(const Setting& setting, int steps);
 
 /// Whether the meshes repeat themselves from step n_0 on, m times smaller every third step: the elements of G_(n_0) in

@@ -30,21 +30,16 @@ RootSum geometric_sum(int m) {
   return {m, m * share, share, share};
 }
 
-namespace {
-
-/// The value of the sum where t is an integer.
-std::optional<Rational> integer_root_value(const RootSum& x) {
+std::optional<Rational> rational_value(const RootSum& x) {
+  if (x.b == 0 && x.c == 0) return x.a;
   for (int root = 1; root * root * root <= x.m; ++root)
     if (root * root * root == x.m) return x.a + x.b * root + x.c * root * root;
   return std::nullopt;
 }
 
-}  // namespace
-
 int sign(const RootSum& x) {
-  if (const auto value = integer_root_value(x)) return value->sign();
-  if (x.a == 0 && x.b == 0 && x.c == 0) return 0;  // 1, t, t^2 are independent over the rationals
-  Rational lower = 1, upper = x.m;                 // 1 <= t <= m; halved until the sign is certain
+  if (const auto value = rational_value(x)) return value->sign();  // otherwise not 0: 1, t, t^2 are independent over Q
+  Rational lower = 1, upper = x.m;                                 // 1 <= t <= m; halved until the sign is certain
   for (;;) {
     const auto at = [&](const Rational& b_root, const Rational& c_root) {
       return Rational(x.a + x.b * b_root + x.c * c_root * c_root);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "lib/exact/rational.hpp"
 
 namespace asts::reference {
@@ -20,6 +22,9 @@ RootSum root_power(int m, int k);
 
 /// 1/(1 - m^(-1/3)) = m^(1/3)/(m^(1/3) - 1) = (m + m^(1/3) + m^(2/3))/(m - 1). REQUIRES: m >= 2.
 RootSum geometric_sum(int m);
+
+/// The number where it is rational: where b = c = 0, or m is a cube.
+std::optional<Rational> rational_value(const RootSum& x);
 
 /// -1, 0 or 1.
 int sign(const RootSum& x);

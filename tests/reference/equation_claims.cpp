@@ -5,6 +5,37 @@
 
 namespace asts::reference {
 
+Point size(const Box& box) {
+  return {box.upper[0] - box.lower[0], box.upper[1] - box.lower[1], box.upper[2] - box.lower[2]};
+}
+
+Point printed_size(const Setting& s, int l) {
+  const Rational whole = 1, part = Rational(1) / s.grading;
+  const Point shape = l % 3 == 0   ? Point{whole, whole, whole}
+                      : l % 3 == 1 ? Point{part, whole, whole}
+                                   : Point{part, part, whole};
+  const Rational scale = power(s.grading, -(l - l % 3) / 3);
+  return {scale * shape[0], scale * shape[1], scale * shape[2]};
+}
+
+Point printed_parent_distance(const Setting& s, int l) {
+  if (l % 3 == 0) return {power(s.grading, -(l + 6) / 3), 0, 0};
+  if (l % 3 == 1) return {0, power(s.grading, -(l + 5) / 3), 0};
+  return {0, 0, power(s.grading, -(l + 4) / 3)};
+}
+
+Point printed_child_distance(const Setting& s, int l) {
+  if (l % 3 == 0) return {0, 0, power(s.grading, -(l + 3) / 3)};
+  if (l % 3 == 1) return {power(s.grading, -(l + 5) / 3), 0, 0};
+  return {0, power(s.grading, -(l + 4) / 3), 0};
+}
+
+RootSum p_tilde(const Setting& s, int axis) {
+  return root_power(s.grading, axis) * (s.degree[static_cast<std::size_t>(axis)] + Rational(3) / 2);
+}
+
+RootSum half_size(const Setting& s, int axis) { return root_power(s.grading, axis + 1) * (Rational(1) / 2); }
+
 namespace {
 
 /// K^ and K in child(K^) with j, its number in Definition 2.5.
@@ -23,46 +54,12 @@ bool for_all_families(const Setting& setting, const Mesh& mesh, const Family& ho
   return true;
 }
 
-Point size(const Box& box) {
-  return {box.upper[0] - box.lower[0], box.upper[1] - box.lower[1], box.upper[2] - box.lower[2]};
-}
-
-/// Equation "df size".
-Point printed_size(const Setting& s, int l) {
-  const Rational whole = 1, part = Rational(1) / s.grading;
-  const Point shape = l % 3 == 0   ? Point{whole, whole, whole}
-                      : l % 3 == 1 ? Point{part, whole, whole}
-                                   : Point{part, part, whole};
-  const Rational scale = power(s.grading, -(l - l % 3) / 3);
-  return {scale * shape[0], scale * shape[1], scale * shape[2]};
-}
-
-/// Equation "parent dist", l = l(K^).
-Point printed_parent_distance(const Setting& s, int l) {
-  if (l % 3 == 0) return {power(s.grading, -(l + 6) / 3), 0, 0};
-  if (l % 3 == 1) return {0, power(s.grading, -(l + 5) / 3), 0};
-  return {0, 0, power(s.grading, -(l + 4) / 3)};
-}
-
-/// Equation "child dist", l = l(K).
-Point printed_child_distance(const Setting& s, int l) {
-  if (l % 3 == 0) return {0, 0, power(s.grading, -(l + 3) / 3)};
-  if (l % 3 == 1) return {power(s.grading, -(l + 5) / 3), 0, 0};
-  return {0, power(s.grading, -(l + 4) / 3), 0};
-}
-
 /// x <= factor m^(-k/3), by comparing cubes.
 bool at_most(const Setting& s, const Rational& x, const Rational& factor, int k) {
   return x * x * x <= factor * factor * factor * power(s.grading, -k);
 }
 
 bool at_most(const Rational& x, const RootSum& bound) { return sign(bound - RootSum{bound.m, x}) >= 0; }
-
-/// p~ and s of A.3 along one axis.
-RootSum p_tilde(const Setting& s, int axis) {
-  return root_power(s.grading, axis) * (s.degree[static_cast<std::size_t>(axis)] + Rational(3) / 2);
-}
-RootSum half_size(const Setting& s, int axis) { return root_power(s.grading, axis + 1) * (Rational(1) / 2); }
 
 bool level_bounds_hold(const Setting& s, int k) {
   const Point radius = environment_radius(s, k), own = printed_size(s, k), before = printed_size(s, k == 0 ? 0 : k - 1);

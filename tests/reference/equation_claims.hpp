@@ -7,6 +7,19 @@
 /// REQUIRES everywhere: the boxes tile the domain.
 namespace asts::reference {
 
+/// The printed right-hand sides: equation "df size" for a level; "parent dist" by l = l(K^) and "child dist" by l =
+/// l(K).
+Point printed_size(const Setting& setting, int level);
+Point printed_parent_distance(const Setting& setting, int level);
+Point printed_child_distance(const Setting& setting, int level);
+
+/// The sides of a box.
+Point size(const Box& box);
+
+/// p~ and s of A.3, along one axis.
+RootSum p_tilde(const Setting& setting, int axis);
+RootSum half_size(const Setting& setting, int axis);
+
 bool size_formula_holds(const Setting& setting, const Mesh& mesh);
 bool child_distance_holds(const Setting& setting, const Mesh& mesh);
 bool child_distance_repaired_holds(const Setting& setting, const Mesh& mesh);

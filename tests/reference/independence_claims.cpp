@@ -156,11 +156,16 @@ bool perfect_spline_rises(int degree) {
   const Number last = value_at(field, spline.antiderivative.back(), spline.knots.back());
   if (!is_zero(field.subtract(last, field.rational(1)))) return false;
   for (std::size_t j = 0; j < spline.pieces.size(); ++j)
-    if (!positive_between(field, spline.pieces[j], spline.knots[j], spline.knots[j + 1])) return false;
+    if (!perfect_piece_is_positive(degree, j)) return false;
   return true;
 }
 
-bool functional_fills_support(const Vector& x) {
+bool perfect_piece_is_positive(int degree, std::size_t piece) {
+  const PerfectSpline& spline = perfect_spline(degree);
+  return positive_between(spline.field, spline.pieces[piece], spline.knots[piece], spline.knots[piece + 1]);
+}
+
+bool density_vanishes(const Vector& x, std::size_t piece) {
   const std::size_t p = x.size() - 2;
   const PerfectSpline& spline = perfect_spline(static_cast<int>(p));
   const CosineField& field = spline.field;
@@ -174,16 +179,19 @@ bool functional_fills_support(const Vector& x) {
     }
     phi = next;
   }
-  for (const NumberPolynomial& g : spline.antiderivative) {
-    bool zero = true;  // D^{p+1} kills exactly the coefficients below p+1
-    for (std::size_t power = p + 1; power < g.size() + phi.size() - 1; ++power) {
-      Number sum = field.rational(0);
-      for (std::size_t i = 0; i < g.size(); ++i)
-        if (i <= power && power - i < phi.size()) sum = field.add(sum, field.multiply(g[i], phi[power - i]));
-      zero = zero && is_zero(sum);
-    }
-    if (zero) return false;
+  const NumberPolynomial& g = spline.antiderivative[piece];
+  for (std::size_t power = p + 1; power < g.size() + phi.size() - 1; ++power) {  // D^{p+1} kills the lower ones
+    Number sum = field.rational(0);
+    for (std::size_t i = 0; i < g.size(); ++i)
+      if (i <= power && power - i < phi.size()) sum = field.add(sum, field.multiply(g[i], phi[power - i]));
+    if (!is_zero(sum)) return false;
   }
+  return true;
+}
+
+bool functional_fills_support(const Vector& x) {
+  for (std::size_t piece = 0; piece + 1 < x.size(); ++piece)
+    if (density_vanishes(x, piece)) return false;
   return true;
 }
 

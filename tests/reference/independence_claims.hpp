@@ -18,6 +18,12 @@ bool overlapping_vectors_are_dual(const std::vector<std::vector<Rational>>& vect
 /// divided by its zeros at the ends, has no zero between them.
 bool perfect_spline_rises(int degree);
 
+/// The same for one piece alone: B* > 0 between y_j and y_(j+1).
+bool perfect_piece_is_positive(int degree, std::size_t piece);
+
+/// Is D^{p+1}(G_X phi_X) zero between the images of y_j and y_(j+1)?
+bool density_vanishes(const std::vector<Rational>& x, std::size_t piece);
+
 /// Proposition 6.1 for one index vector: no polynomial piece of D^{p+1}(G_X phi_X) is zero.
 bool functional_fills_support(const std::vector<Rational>& x);
 

@@ -93,18 +93,6 @@ bool is_admissible(const Setting& setting, const Mesh& mesh) {
   return admissible_mesh(setting, mesh, refinement_tree(setting, mesh));
 }
 
-/// The elements that were subdivided on the way to the mesh, by rising level.
-Mesh inner_by_level(const Setting& setting, const Mesh& mesh) {
-  std::vector<TreeElement> inner;
-  for (const TreeElement& element : refinement_tree(setting, mesh).elements)
-    if (!element.children.empty()) inner.push_back(element);
-  std::stable_sort(inner.begin(), inner.end(),
-                   [](const TreeElement& a, const TreeElement& b) { return a.level < b.level; });
-  Mesh result;
-  for (const TreeElement& element : inner) result.push_back(element.box);
-  return result;
-}
-
 /// Makes the mesh by subdividing each inner element once, in the order of levels; `allowed` may end it.
 template <class Allowed>
 ClaimTrial rebuild(const Setting& setting, const Mesh& mesh, Allowed allowed) {
@@ -160,17 +148,33 @@ Patches patches(const Setting& setting, const Mesh& mesh) {
   return result;
 }
 
+bool in_every_closed_superset(const Patches& patches, const Positions& marks, std::size_t element) {
+  if (std::find(marks.begin(), marks.end(), element) != marks.end()) return true;
+  const std::vector<bool> without = greatest_closed_without(patches, element);
+  return !std::all_of(marks.begin(), marks.end(), [&](std::size_t mark) { return without[mark]; });
+}
+
 bool is_least_closed_superset(const Patches& patches, const Positions& marks, const Positions& set) {
   Positions sorted_marks = marks;
   std::sort(sorted_marks.begin(), sorted_marks.end());
   if (!contains_all(set, sorted_marks)) return false;
   for (const std::size_t k : set) {
     if (!contains_all(set, patches.coarser[k])) return false;
-    if (std::binary_search(sorted_marks.begin(), sorted_marks.end(), k)) continue;
-    const std::vector<bool> without = greatest_closed_without(patches, k);
-    if (std::all_of(marks.begin(), marks.end(), [&](std::size_t mark) { return without[mark]; })) return false;
+    if (!in_every_closed_superset(patches, marks, k)) return false;
   }
   return true;
+}
+
+Mesh inner_by_level(const Setting& setting, const Mesh& mesh) {
+  std::vector<TreeElement> inner;
+  for (const TreeElement& element : refinement_tree(setting, mesh).elements)
+    if (!element.children.empty()) inner.push_back(element);
+  std::sort(inner.begin(), inner.end(), [](const TreeElement& a, const TreeElement& b) {
+    return a.level != b.level ? a.level < b.level : a.box < b.box;
+  });
+  Mesh result;
+  for (const TreeElement& element : inner) result.push_back(element.box);
+  return result;
 }
 
 ClaimTrial closure_least(const Setting& setting, const Mesh& mesh) {

@@ -26,11 +26,17 @@ Patches patches(const Setting& setting, const Mesh& mesh);
 bool is_least_closed_superset(const Patches& patches, const std::vector<std::size_t>& marks,
                               const std::vector<std::size_t>& set);
 
+/// Does every superset of the marks that is closed under "coarser in the patch" contain the element? As above.
+bool in_every_closed_superset(const Patches& patches, const std::vector<std::size_t>& marks, std::size_t element);
+
 /// Algorithm 2.8 gives the least closed superset of every single mark. Met: closures of more than the mark.
 ClaimTrial closure_least(const Setting& setting, const Mesh& mesh);
 
 /// Theorem 3.3 for every single mark. Met: as above. REQUIRES: the mesh is admissible.
 ClaimTrial refine_admissible(const Setting& setting, const Mesh& mesh);
+
+/// The elements that were subdivided on the way to the mesh: by rising level, and by lower corners among equal ones.
+Mesh inner_by_level(const Setting& setting, const Mesh& mesh);
 
 /// Every inner element of the mesh's tree, marked alone in the order of levels, is subdivided alone by refine, and the
 /// last mesh is the given one. Met: marks of level >= 1. REQUIRES: every box is in the class.

@@ -1,40 +1,9 @@
-#include <algorithm>
-
-#include "tests/reference/tree.hpp"
 #include "tests/reference/validate_kinds.hpp"
+#include "tests/reference/witness_elements.hpp"
 
 namespace asts::reference {
 
 namespace {
-
-void check_level(const Setting& setting, const ElementText& claimed, const std::string& what) {
-  const std::optional<int> actual = level(setting, claimed.box);
-  const bool equal = actual.has_value() == claimed.level.has_value() && (!actual || *actual == *claimed.level);
-  if (!equal)
-    throw Rejected(what + ": its level is " + (actual ? std::to_string(*actual) : "no integer") + ", not as printed");
-}
-
-/// Reads an element of the mesh with its level.
-ElementText element_of_mesh(const Setting& setting, const Mesh& mesh, const nlohmann::json& value,
-                            const std::string& what) {
-  const ElementText element = read_element(value, what);
-  if (std::find(mesh.begin(), mesh.end(), element.box) == mesh.end())
-    throw Rejected(what + ": " + text(element.box) + " is no element of the mesh");
-  check_level(setting, element, what);
-  return element;
-}
-
-/// Reads an element of the refinement tree with its level.
-TreeElement element_of_tree(const Setting& setting, const RefinementTree& tree, const nlohmann::json& value,
-                            const std::string& what) {
-  const ElementText element = read_element(value, what);
-  const auto found = std::find_if(tree.elements.begin(), tree.elements.end(),
-                                  [&](const TreeElement& known) { return known.box == element.box; });
-  if (found == tree.elements.end())
-    throw Rejected(what + ": " + text(element.box) + " is not in the mesh's refinement tree");
-  check_level(setting, element, what);
-  return *found;
-}
 
 std::string described(const TreeElement& element) {
   return text(element.box) + " of level " + std::to_string(element.level);
