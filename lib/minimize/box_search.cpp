@@ -163,8 +163,26 @@ bool simplify_unit(BoxSearch& search, Axis axis, int unit) {
   return false;
 }
 
+/// A coordinate that is no integer becomes one of the two beside it, where that one is free.
+bool snap_to_integers(BoxSearch& search, Axis axis) {
+  bool any = false;
+  for (std::size_t i = 1; i + 1 < coordinates_of(search.current(), axis).size(); ++i) {
+    const std::vector<Rational> from = coordinates_of(search.current(), axis);
+    const Integer below = numerator(from[i]) / denominator(from[i]);
+    for (const Integer& integer : {below, Integer(below + 1)}) {
+      if (denominator(from[i]) == 1 || from[i - 1] >= integer || from[i + 1] <= integer) continue;
+      std::vector<Rational> to = from;
+      to[i] = integer;
+      any |= search.propose(with_coordinates(search.current(), axis, to));
+      if (coordinates_of(search.current(), axis) != from) break;
+    }
+  }
+  return any;
+}
+
 bool simplify_coordinates(BoxSearch& search) {
   bool any = false;
+  for (Axis axis = 0; axis < kDimension; ++axis) any |= snap_to_integers(search, axis);
   for (Axis axis = 0; axis < kDimension; ++axis) {
     for (int unit = 0; unit < search.current().domain[at(axis)]; ++unit) any |= simplify_unit(search, axis, unit);
   }

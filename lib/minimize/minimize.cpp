@@ -1,5 +1,7 @@
 #include "lib/minimize/minimize.hpp"
 
+#include <algorithm>
+
 #include "lib/minimize/box_changes.hpp"
 #include "lib/minimize/box_search.hpp"
 #include "lib/minimize/path_passes.hpp"
@@ -79,9 +81,18 @@ class Minimizer {
       result_.last_run.clear();
       for (const BoxPass& pass : simplifying_passes()) run_pass(pass, *boxes_);
       if (accepted()) continue;
-      if (become_paths(refined_to_class(boxes_->current(), kMostClassLevels))) return;
+      if (become_refined()) return;
       for (const BoxPass& pass : merging_passes()) run_pass(pass, *boxes_);
     } while (accepted());
+  }
+
+  /// Subdivisions begin along x, so that the axes matter.
+  bool become_refined() {
+    PerAxis<Axis> order{0, 1, 2};
+    do {
+      if (become_paths(refined_to_class(boxes_permuted(boxes_->current(), order), kMostClassLevels))) return true;
+    } while (std::next_permutation(order.begin(), order.end()));
+    return false;
   }
 
   bool become_paths(const std::optional<PathCase>& paths) {

@@ -9,16 +9,8 @@ namespace asts {
 
 namespace {
 
-/// Settings next to the current one that are larger.
-std::vector<PathCase> grown(const PathCase& paths) {
+std::vector<PathCase> with_higher_gradings(const PathCase& paths) {
   std::vector<PathCase> result;
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    const int side = paths.setting.domain[at(axis)];
-    for (int place = 0; place <= side; ++place) result.push_back(with_layers(paths, axis, place, 1));
-    PathCase higher = with_layers(with_layers(paths, axis, side, 1), axis, 0, 1);
-    higher.setting.degree[at(axis)] += 2;
-    result.push_back(std::move(higher));
-  }
   const int m = paths.setting.grading;
   for (const int larger : {m + 1, 2 * m}) {
     for (const ChildMap map : {ChildMap::lower_end, ChildMap::upper_end}) {
@@ -26,6 +18,30 @@ std::vector<PathCase> grown(const PathCase& paths) {
     }
   }
   return result;
+}
+
+/// Settings next to the current one that are larger.
+std::vector<PathCase> grown(const PathCase& paths) {
+  std::vector<PathCase> result;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const int side = paths.setting.domain[at(axis)];
+    for (const int layers : {1, 2}) {
+      for (int place = 0; place <= side; ++place) result.push_back(with_layers(paths, axis, place, layers));
+    }
+    PathCase higher = with_layers(with_layers(paths, axis, side, 1), axis, 0, 1);
+    higher.setting.degree[at(axis)] += 2;
+    result.push_back(std::move(higher));
+  }
+  for (const PathCase& finer : with_higher_gradings(paths)) result.push_back(finer);
+  return result;
+}
+
+/// The children of every element in reverse order.
+PathCase with_children_mirrored(const PathCase& paths) {
+  return map_paths(paths, [m = paths.setting.grading](ElementPath path) -> std::optional<ElementPath> {
+    for (std::size_t i = kDimension; i < path.size(); ++i) path[i] = m - 1 - path[i];
+    return path;
+  });
 }
 
 /// The domain with one layer more or less across each axis, at one of its sides, where its volume gets less.
@@ -47,14 +63,60 @@ std::optional<PathCase> resized(const PathCase& paths, const PerAxis<std::size_t
 
 }  // namespace
 
+namespace {
+
+/// With so few elements each is left out of every larger setting; else only where the larger setting itself violates.
+constexpr std::size_t kFew = 4;
+
+/// Steps of a sequence, elements of a mesh.
+bool propose_without_each(PathSearch& search, const PathCase& larger) {
+  if (search.form() == PathForm::sequence) {
+    for (std::size_t step = 0; step < larger.steps.size(); ++step) {
+      PathCase candidate = larger;
+      candidate.steps.erase(candidate.steps.begin() + static_cast<std::ptrdiff_t>(step));
+      if (search.propose(candidate) || search.propose(with_children_mirrored(candidate))) return true;
+    }
+    return false;
+  }
+  for (const ElementPath& dropped : subdivided_of(larger)) {
+    const PathCase candidate = map_paths(larger, [&](const ElementPath& path) -> std::optional<ElementPath> {
+      if (leads_to(dropped, path)) return std::nullopt;
+      return path;
+    });
+    if (search.propose(candidate)) return true;
+  }
+  return false;
+}
+
+bool descend_from(PathSearch& search, const PathCase& larger) {
+  PathSearch other = search;
+  if (!other.move_to(larger) || !drop_elements(other)) return false;
+  if (other.size().subdivisions >= search.size().subdivisions) return false;
+  descend(other);
+  return search.adopt(other);
+}
+
+}  // namespace
+
 bool grow_and_drop(PathSearch& search) {
-  if (subdivided_of(search.current()).size() > kMostMoved) return false;
-  const std::int64_t subdivisions = search.size().subdivisions;
+  const std::size_t elements = subdivided_of(search.current()).size();
+  if (elements > kMostMoved) return false;
+  const bool few = (search.form() == PathForm::mesh ? elements : search.current().steps.size()) <= kFew;
   for (const PathCase& larger : grown(search.current())) {
-    PathSearch other = search;
-    if (!other.move_to(larger) || !drop_elements(other) || other.size().subdivisions >= subdivisions) continue;
-    descend(other);
-    if (search.adopt(other)) return true;
+    if (few ? propose_without_each(search, larger) : descend_from(search, larger)) return true;
+  }
+  return false;
+}
+
+bool refine_and_cut(PathSearch& search) {
+  if (subdivided_of(search.current()).size() > kMostMoved) return false;
+  for (const PathCase& finer : with_higher_gradings(search.current())) {
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      const int side = finer.setting.domain[at(axis)];
+      for (int layer = 0; layer < side && side > 1; ++layer) {
+        if (search.propose(without_layers(finer, axis, layer, 1))) return true;
+      }
+    }
   }
   return false;
 }
@@ -123,6 +185,29 @@ bool join_cubes(PathSearch& search) {
   return false;
 }
 
+bool turn_and_cut(PathSearch& search) {
+  if (search.form() != PathForm::mesh) return false;
+  constexpr int kMostLayers = 3;
+  const PathCase from = search.current();
+  const PathCase mirrored = with_children_mirrored(from);
+  PerAxis<Axis> order{0, 1, 2};
+  while (std::next_permutation(order.begin(), order.end())) {
+    for (const PathCase* children : {&from, &mirrored}) {
+      const PathCase turned = permuted(*children, order);
+      const auto& domain = turned.setting.domain;
+      const Axis longest = static_cast<Axis>(std::max_element(domain.begin(), domain.end()) - domain.begin());
+      const int side = domain[at(longest)];
+      for (int layers = 1; layers <= kMostLayers && layers < side; ++layers) {
+        for (const int first : {side - layers, 0, 1, side / 2}) {
+          if (first + layers > side) continue;
+          if (search.propose(without_layers(turned, longest, first, layers))) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 bool lower_levels(PathSearch& search) {
   if (search.form() != PathForm::mesh || search.current().steps.empty()) return false;
   const auto candidate = one_level_lower(search.current());
@@ -148,7 +233,10 @@ bool lower_degree_inside(PathSearch& search) {
 std::span<const PathPass> escape_passes() {
   static constexpr std::array kPasses{PathPass{"lower-degree-inside", lower_degree_inside},
                                       PathPass{"lower-levels", lower_levels},
-                                      PathPass{"reshape-domain", reshape_domain}, PathPass{"join-cubes", join_cubes},
+                                      PathPass{"reshape-domain", reshape_domain},
+                                      PathPass{"join-cubes", join_cubes},
+                                      PathPass{"turn-and-cut", turn_and_cut},
+                                      PathPass{"refine-and-cut", refine_and_cut},
                                       PathPass{"grow-and-drop", grow_and_drop}};
   return kPasses;
 }

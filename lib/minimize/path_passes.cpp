@@ -115,7 +115,11 @@ constexpr std::array kChildMaps{ChildMap::lower_end, ChildMap::upper_end, ChildM
 bool propose_grading(PathSearch& search, int grading) {
   const PathCase from = search.current();
   for (const ChildMap map : kChildMaps) {
-    if (search.propose(with_grading(from, grading, map))) return true;
+    PathCase candidate = with_grading(from, grading, map);
+    if (search.propose(candidate)) return true;
+    if (candidate.setting.degree == PerAxis<int>{3, 3, 3}) continue;
+    candidate.setting.degree = {3, 3, 3};
+    if (search.propose(candidate)) return true;
   }
   return false;
 }

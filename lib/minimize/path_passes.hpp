@@ -41,6 +41,10 @@ bool join_cubes(PathSearch& search);
 bool lower_levels(PathSearch& search);
 /// A degree lower by 2 with two layers less anywhere.
 bool lower_degree_inside(PathSearch& search);
+/// The axes exchanged, with layers less at an end of the longest one.
+bool turn_and_cut(PathSearch& search);
+/// A higher m on a domain with a layer less.
+bool refine_and_cut(PathSearch& search);
 /// Another shape of the domain of less volume, with the elements moved along.
 bool reshape_domain(PathSearch& search);
 
