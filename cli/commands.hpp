@@ -43,6 +43,14 @@ struct GenerateOptions {
   std::int64_t elements = 1000;
 };
 
+struct DrawOptions {
+  std::string case_file;
+  std::string claim;
+  std::string property;
+  std::string folder;
+  Format format = Format::text;
+};
+
 struct EnumerateOptions {
   SettingOptions setting{.domain = {4, 4, 5}};
   int max_subdivisions = 0;
@@ -91,6 +99,7 @@ struct ValidateOptions {
 /// anything is written.
 int check(const CheckOptions& options);
 int claims(const ClaimsOptions& options);
+int draw(const DrawOptions& options);
 int enumerate(const EnumerateOptions& options);
 int ledger(const LedgerOptions& options);
 int refine(const RefineOptions& options);

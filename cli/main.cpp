@@ -64,6 +64,7 @@ class CommandLine {
     app_.set_help_flag("--help,-h", "show this text");
     add_check();
     add_claims();
+    add_draw();
     add_enumerate();
     add_ledger();
     add_refine();
@@ -103,6 +104,16 @@ class CommandLine {
     CLI::App* command = app_.add_subcommand("claims", "list the paper's claims and whether they are refuted");
     add_format(*command, claims_.format);
     command->callback([this] { chosen_ = [this] { return claims(claims_); }; });
+  }
+
+  void add_draw() {
+    CLI::App* command = app_.add_subcommand("draw", "draw the slices that matter of a case's last mesh as SVG");
+    command->add_option("CASE", draw_.case_file, "a case file, or - for standard input")->required();
+    command->add_option("--claim", draw_.claim, "decide this claim and draw where it is violated");
+    command->add_option("--property", draw_.property, "the same for a property (asts check)");
+    command->add_option("--out,-o", draw_.folder, "the folder for the pictures, made if it is not there")->required();
+    add_format(*command, draw_.format);
+    command->callback([this] { chosen_ = [this] { return draw(draw_); }; });
   }
 
   void add_enumerate() {
@@ -189,6 +200,7 @@ class CommandLine {
   CLI::App app_{"Decides statements about three-dimensional analysis-suitable T-splines, exactly.", "asts"};
   CheckOptions check_;
   ClaimsOptions claims_;
+  DrawOptions draw_;
   EnumerateOptions enumerate_;
   LedgerOptions ledger_;
   RefineOptions refine_;

@@ -101,6 +101,8 @@ TEST(Readme, ShowsACase) {
 TEST(Readme, NamesEveryCommandAndEveryOption) {
   const std::string text = content_of((kRoot / "README.md").string());
   for (const char* word : {"check",
+                           "draw",
+                           "--out",
                            "refine",
                            "generate",
                            "enumerate",
