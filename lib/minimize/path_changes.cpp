@@ -1,6 +1,7 @@
 #include "lib/minimize/path_changes.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace asts {
 
@@ -34,6 +35,46 @@ PathCase map_paths(const PathCase& paths, const PathMap& map) {
     }
   }
   return result;
+}
+
+std::vector<std::vector<ElementPath>> rows_along(const PathCase& mesh, Axis axis) {
+  std::vector<std::vector<ElementPath>> rows;
+  for (const PathStep& level : mesh.steps) {
+    std::map<ElementPath, std::vector<ElementPath>> by_trace;
+    for (const ElementPath& path : level.marks) {
+      ElementPath trace = path;
+      trace[at(axis)] = 0;
+      by_trace[trace].push_back(path);
+    }
+    for (auto& [trace, row] : by_trace) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::optional<Axis> extruded_along(const PathCase& mesh) {
+  for (Axis axis = kDimension - 1; axis >= 0 && !mesh.steps.empty(); --axis) {
+    const auto layers = static_cast<std::size_t>(mesh.setting.domain[at(axis)]);
+    const auto rows = rows_along(mesh, axis);
+    const bool all = std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() == layers; });
+    if (all && layers > 1) return axis;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::vector<ElementPath>> items_of(const PathCase& mesh) {
+  if (const auto axis = extruded_along(mesh)) return rows_along(mesh, *axis);
+  std::vector<std::vector<ElementPath>> items;
+  for (const ElementPath& path : subdivided_of(mesh)) items.push_back({path});
+  return items;
+}
+
+PathCase without_elements(const PathCase& paths, const std::vector<ElementPath>& dropped) {
+  return map_paths(paths, [&](const ElementPath& path) -> std::optional<ElementPath> {
+    const bool below = std::any_of(dropped.begin(), dropped.end(),
+                                   [&](const ElementPath& ancestor) { return leads_to(ancestor, path); });
+    if (below) return std::nullopt;
+    return path;
+  });
 }
 
 PathCase without_layers(const PathCase& paths, Axis axis, int first, int count) {

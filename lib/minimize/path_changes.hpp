@@ -14,6 +14,19 @@ namespace asts {
 using PathMap = std::function<std::optional<ElementPath>(const ElementPath&)>;
 PathCase map_paths(const PathCase& paths, const PathMap& map);
 
+/// The axis along which a mesh is the same in all of several layers, if there is one and anything is subdivided.
+std::optional<Axis> extruded_along(const PathCase& mesh);
+
+/// Elements that differ in nothing but their layer along an axis, by level.
+std::vector<std::vector<ElementPath>> rows_along(const PathCase& mesh, Axis axis);
+
+/// What can be left out, or moved, as one: the elements that differ in nothing but their layer along extruded_along(),
+/// and single elements where there is no such axis. By level.
+std::vector<std::vector<ElementPath>> items_of(const PathCase& mesh);
+
+/// The case without these elements and all that is in them.
+PathCase without_elements(const PathCase& paths, const std::vector<ElementPath>& dropped);
+
 /// The domain without `count` layers of unit cubes across an axis from `first` on, with all that lies in them.
 /// REQUIRES: another layer stays.
 PathCase without_layers(const PathCase& paths, Axis axis, int first, int count);

@@ -23,7 +23,9 @@ std::vector<PathCase> with_higher_gradings(const PathCase& paths) {
 /// Settings next to the current one that are larger.
 std::vector<PathCase> grown(const PathCase& paths) {
   std::vector<PathCase> result;
+  const auto extruded = extruded_along(paths);
   for (Axis axis = 0; axis < kDimension; ++axis) {
+    if (axis == extruded) continue;  // a new layer would be empty
     const int side = paths.setting.domain[at(axis)];
     for (const int layers : {1, 2}) {
       for (int place = 0; place <= side; ++place) result.push_back(with_layers(paths, axis, place, layers));
@@ -65,10 +67,12 @@ std::optional<PathCase> resized(const PathCase& paths, const PerAxis<std::size_t
 
 namespace {
 
-/// With so few elements each is left out of every larger setting; else only where the larger setting itself violates.
+/// So few items are left out of every larger setting one by one; more of them only where the larger setting itself
+/// violates.
 constexpr std::size_t kFew = 4;
+constexpr std::size_t kFewRows = 8;
 
-/// Steps of a sequence, elements of a mesh.
+/// Steps of a sequence, items of a mesh.
 bool propose_without_each(PathSearch& search, const PathCase& larger) {
   if (search.form() == PathForm::sequence) {
     for (std::size_t step = 0; step < larger.steps.size(); ++step) {
@@ -78,12 +82,8 @@ bool propose_without_each(PathSearch& search, const PathCase& larger) {
     }
     return false;
   }
-  for (const ElementPath& dropped : subdivided_of(larger)) {
-    const PathCase candidate = map_paths(larger, [&](const ElementPath& path) -> std::optional<ElementPath> {
-      if (leads_to(dropped, path)) return std::nullopt;
-      return path;
-    });
-    if (search.propose(candidate)) return true;
+  for (const std::vector<ElementPath>& item : items_of(larger)) {
+    if (search.propose(without_elements(larger, item))) return true;
   }
   return false;
 }
@@ -99,11 +99,33 @@ bool descend_from(PathSearch& search, const PathCase& larger) {
 }  // namespace
 
 bool grow_and_drop(PathSearch& search) {
-  const std::size_t elements = subdivided_of(search.current()).size();
-  if (elements > kMostMoved) return false;
-  const bool few = (search.form() == PathForm::mesh ? elements : search.current().steps.size()) <= kFew;
+  if (subdivided_of(search.current()).size() > kMostMoved) return false;
+  const bool mesh = search.form() == PathForm::mesh;
+  const std::size_t items = mesh ? items_of(search.current()).size() : search.current().steps.size();
+  const bool rows = mesh && extruded_along(search.current());
+  const bool few = items <= (rows ? kFewRows : kFew);
   for (const PathCase& larger : grown(search.current())) {
     if (few ? propose_without_each(search, larger) : descend_from(search, larger)) return true;
+  }
+  return false;
+}
+
+bool clear_ends(PathSearch& search) {
+  if (search.form() != PathForm::mesh) return false;
+  constexpr int kMostCleared = 3;
+  constexpr int kMostAdded = 3;
+  const PathCase from = search.current();
+  const auto extruded = extruded_along(from);
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const int side = from.setting.domain[at(axis)];
+    for (int cleared = 1; axis != extruded && cleared <= kMostCleared && cleared < side; ++cleared) {
+      for (int empty = cleared; empty <= cleared + kMostAdded; ++empty) {
+        const PathCase low = with_layers(without_layers(from, axis, 0, cleared), axis, 0, empty);
+        const PathCase high =
+            with_layers(without_layers(from, axis, side - cleared, cleared), axis, side - cleared, empty);
+        if (search.propose(low) || search.propose(high)) return true;
+      }
+    }
   }
   return false;
 }
@@ -185,6 +207,26 @@ bool join_cubes(PathSearch& search) {
   return false;
 }
 
+bool join_layers(PathSearch& search) {
+  if (search.form() != PathForm::mesh || items_of(search.current()).size() > kFewRows) return false;
+  const PathCase from = search.current();
+  const auto extruded = extruded_along(from);
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    for (int layer = 0; axis != extruded && layer + 1 < from.setting.domain[at(axis)]; ++layer) {
+      for (const int target : {layer, layer + 1}) {
+        const PathCase joined_layers = map_paths(from, [&](ElementPath path) -> std::optional<ElementPath> {
+          if (path[at(axis)] == layer || path[at(axis)] == layer + 1) path[at(axis)] = target;
+          return path;
+        });
+        const PathCase folded = mesh_of_paths(from.setting, subdivided_of(joined_layers));
+        if (subdivided_of(folded).size() == subdivided_of(from).size()) continue;  // one of the layers is empty
+        if (search.propose(folded) || propose_without_each(search, folded)) return true;
+      }
+    }
+  }
+  return false;
+}
+
 bool turn_and_cut(PathSearch& search) {
   if (search.form() != PathForm::mesh) return false;
   constexpr int kMostLayers = 3;
@@ -233,11 +275,14 @@ bool lower_degree_inside(PathSearch& search) {
 std::span<const PathPass> escape_passes() {
   static constexpr std::array kPasses{PathPass{"lower-degree-inside", lower_degree_inside},
                                       PathPass{"lower-levels", lower_levels},
+                                      PathPass{"refine-and-cut", refine_and_cut},
+                                      PathPass{"clear-ends", clear_ends},
+                                      PathPass{"grow-and-drop", grow_and_drop},
+                                      PathPass{"drop-single-elements", drop_single_elements},
                                       PathPass{"reshape-domain", reshape_domain},
                                       PathPass{"join-cubes", join_cubes},
-                                      PathPass{"turn-and-cut", turn_and_cut},
-                                      PathPass{"refine-and-cut", refine_and_cut},
-                                      PathPass{"grow-and-drop", grow_and_drop}};
+                                      PathPass{"join-layers", join_layers},
+                                      PathPass{"turn-and-cut", turn_and_cut}};
   return kPasses;
 }
 

@@ -11,54 +11,42 @@ namespace asts {
 
 namespace {
 
-/// The case without these elements and all that is in them.
-PathCase without(const PathCase& paths, const std::vector<ElementPath>& dropped) {
-  return map_paths(paths, [&](const ElementPath& path) -> std::optional<ElementPath> {
-    const bool below = std::any_of(dropped.begin(), dropped.end(),
-                                   [&](const ElementPath& ancestor) { return leads_to(ancestor, path); });
-    if (below) return std::nullopt;
-    return path;
-  });
-}
-
 bool drop_listed(PathSearch& search, std::vector<ElementPath> (*list)(const PathCase&)) {
-  return drop_chunks(
-      [&] { return list(search.current()).size(); },
-      [&](std::size_t first, std::size_t entries) {
-        const std::vector<ElementPath> all = list(search.current());
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
-        return search.propose(without(search.current(), {begin, begin + static_cast<std::ptrdiff_t>(entries)}));
-      });
+  return drop_chunks([&] { return list(search.current()).size(); },
+                     [&](std::size_t first, std::size_t entries) {
+                       const std::vector<ElementPath> all = list(search.current());
+                       const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+                       return search.propose(
+                           without_elements(search.current(), {begin, begin + static_cast<std::ptrdiff_t>(entries)}));
+                     });
 }
 
 std::vector<ElementPath> unit_cubes_of(const PathCase& mesh) {
   return mesh.steps.empty() ? std::vector<ElementPath>{} : mesh.steps.front().marks;
 }
 
-/// Elements that differ in nothing but their place along an axis, as in a mesh that is the same in all layers.
-bool drop_rows(PathSearch& search, Axis axis) {
-  const auto rows = [&](const PathCase& mesh) {
-    std::map<ElementPath, std::vector<ElementPath>> rows_by_trace;
-    for (const ElementPath& path : subdivided_of(mesh)) {
-      ElementPath trace = path;
-      trace[at(axis)] = 0;
-      rows_by_trace[trace].push_back(path);
-    }
-    std::vector<std::vector<ElementPath>> result;
-    for (auto& [trace, row] : rows_by_trace) {
-      if (row.size() > 1) result.push_back(std::move(row));
-    }
-    return result;
-  };
-  return drop_chunks([&] { return rows(search.current()).size(); },
+using Items = std::vector<std::vector<ElementPath>>;
+
+/// Items of a list that is made anew after each removal.
+bool drop_items(PathSearch& search, const std::function<Items(const PathCase&)>& list) {
+  return drop_chunks([&] { return list(search.current()).size(); },
                      [&](std::size_t first, std::size_t entries) {
-                       const auto all = rows(search.current());
+                       const Items items = list(search.current());
                        std::vector<ElementPath> dropped;
                        for (std::size_t i = first; i < first + entries; ++i) {
-                         dropped.insert(dropped.end(), all[i].begin(), all[i].end());
+                         dropped.insert(dropped.end(), items[i].begin(), items[i].end());
                        }
-                       return search.propose(without(search.current(), dropped));
+                       return search.propose(without_elements(search.current(), dropped));
                      });
+}
+
+/// Rows along an axis that have more than one element.
+bool drop_rows(PathSearch& search, Axis axis) {
+  return drop_items(search, [axis](const PathCase& mesh) {
+    Items rows = rows_along(mesh, axis);
+    std::erase_if(rows, [](const auto& row) { return row.size() < 2; });
+    return rows;
+  });
 }
 
 PathCase without_steps(const PathCase& sequence, std::size_t first, std::size_t count) {
@@ -124,24 +112,34 @@ bool propose_grading(PathSearch& search, int grading) {
   return false;
 }
 
-/// An element with all below it elsewhere: entry `i` of its path becomes `value`.
-PathCase with_entry(const PathCase& paths, const ElementPath& element, std::size_t i, std::int32_t value) {
+/// Elements with all below them elsewhere: entry `i` of their paths becomes `value`.
+PathCase with_entry(const PathCase& paths, const std::vector<ElementPath>& elements, std::size_t i,
+                    std::int32_t value) {
   return map_paths(paths, [&](ElementPath path) -> std::optional<ElementPath> {
-    if (leads_to(element, path)) path[i] = value;
+    const bool moved = std::any_of(elements.begin(), elements.end(),
+                                   [&](const ElementPath& element) { return leads_to(element, path); });
+    if (moved) path[i] = value;
     return path;
   });
 }
 
 /// Smaller values for one entry, the smallest first.
-bool lower_entry(PathSearch& search, ElementPath& element, std::size_t i) {
-  const std::int32_t value = element[i];
+bool lower_entry(PathSearch& search, std::vector<ElementPath>& elements, std::size_t i) {
+  const std::int32_t value = elements.front()[i];
   for (const std::int32_t smaller : {0, value / 2, value - 1}) {
     if (smaller < 0 || smaller >= value) continue;
-    if (!search.propose(with_entry(search.current(), element, i, smaller))) continue;
-    element[i] = smaller;
+    if (!search.propose(with_entry(search.current(), elements, i, smaller))) continue;
+    for (ElementPath& element : elements) element[i] = smaller;
     return true;
   }
   return false;
+}
+
+/// The marks of a sequence, one by one.
+std::vector<std::vector<ElementPath>> marks_of(const PathCase& sequence) {
+  std::vector<std::vector<ElementPath>> marks;
+  for (const ElementPath& mark : subdivided_of(sequence)) marks.push_back({mark});
+  return marks;
 }
 
 /// All unit cubes one layer lower, again and again.
@@ -159,12 +157,18 @@ bool shift(PathSearch& search, Axis axis) {
 
 bool drop_elements(PathSearch& search) {
   if (search.form() == PathForm::mesh) {
+    if (extruded_along(search.current())) return drop_items(search, items_of);
     bool any = drop_listed(search, unit_cubes_of);
     for (Axis axis = 0; axis < kDimension; ++axis) any |= drop_rows(search, axis);
     return drop_listed(search, subdivided_of) || any;
   }
   const bool steps = drop_steps(search);
   return drop_marks(search) || steps;
+}
+
+bool drop_single_elements(PathSearch& search) {
+  if (search.form() == PathForm::sequence || !extruded_along(search.current())) return false;
+  return drop_listed(search, subdivided_of);
 }
 
 bool drop_layers(PathSearch& search) {
@@ -219,17 +223,20 @@ bool permute_axes(PathSearch& search) {
 bool move_to_origin(PathSearch& search) {
   bool any = false;
   for (Axis axis = 0; axis < kDimension; ++axis) any |= shift(search, axis);
-  std::vector<ElementPath> marks = subdivided_of(search.current());
-  if (marks.size() > kMostMoved) return any;
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    const std::vector<ElementPath> now = subdivided_of(search.current());
-    if (i >= now.size()) break;
-    ElementPath element = now[i];
-    if (level_of(element) > 0) {
-      any |= lower_entry(search, element, element.size() - 1);
+  const auto listed = [&] {
+    return search.form() == PathForm::mesh ? items_of(search.current()) : marks_of(search.current());
+  };
+  const std::size_t count = listed().size();
+  if (count > kMostMoved) return any;
+  for (std::size_t i = 0; i < count && i < listed().size(); ++i) {
+    std::vector<ElementPath> elements = listed()[i];
+    const std::optional<Axis> layers =
+        search.form() == PathForm::mesh ? extruded_along(search.current()) : std::nullopt;
+    if (level_of(elements.front()) > 0) {
+      any |= lower_entry(search, elements, elements.front().size() - 1);
       continue;
     }
-    for (std::size_t axis = 0; axis < kDimension; ++axis) any |= lower_entry(search, element, axis);
+    for (Axis axis = 0; axis < kDimension; ++axis) any |= axis != layers && lower_entry(search, elements, at(axis));
   }
   return any;
 }

@@ -34,6 +34,8 @@ bool write_out_closure(PathSearch& search);  ///< of a sequence: the bare steps 
 
 /// A larger setting in which fewer subdivisions do: one layer more, degree 2 higher, a higher m.
 bool grow_and_drop(PathSearch& search);
+/// Elements of an extruded mesh one by one, so that it is extruded no more.
+bool drop_single_elements(PathSearch& search);
 /// What is in one unit cube moved into another, with all shifted by a layer or not, and the domain longer by one or
 /// not.
 bool join_cubes(PathSearch& search);
@@ -41,6 +43,10 @@ bool join_cubes(PathSearch& search);
 bool lower_levels(PathSearch& search);
 /// A degree lower by 2 with two layers less anywhere.
 bool lower_degree_inside(PathSearch& search);
+/// What is in two neighbouring layers put into one of them, as it is and without an item.
+bool join_layers(PathSearch& search);
+/// Nothing subdivided in the outermost layers, with some empty ones more or not.
+bool clear_ends(PathSearch& search);
 /// The axes exchanged, with layers less at an end of the longest one.
 bool turn_and_cut(PathSearch& search);
 /// A higher m on a domain with a layer less.
