@@ -52,7 +52,7 @@ void draw_marks(XmlNode svg, const SliceDrawing& drawing) {
     if (!drawing.in_plane(mark.box)) continue;
     const PxBox box = drawing.frame.box(drawing.project(mark.box));
     add_outline(svg, box, {{"class", "box"}});
-    add_text(svg, box.upper[0] - px(4), box.upper[1] - px(5), mark.name, {{"class", "halo end"}});
+    add_text(svg, box.upper[0] - px(4), box.lower[1] + px(14), mark.name, {{"class", "halo end"}});
   }
   const std::vector<SliceMarks::Node>& nodes = drawing.marks.nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i) draw_support(svg, drawing, i, nodes[i].info.support);
