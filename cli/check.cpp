@@ -18,6 +18,8 @@ namespace {
 
 /// Longer cases are not repeated in every record of a violated mesh.
 constexpr std::size_t kLongestMeshText = std::size_t{1} << 20;
+/// Where only sequences are looked at, meshes are made for their figures as long as they are not larger.
+constexpr std::int64_t kMostElementsForSequences = 1'000'000;
 /// A point takes at least so many bytes of text, so that a case with too many of them need not be written to know.
 constexpr std::size_t kLeastPointText = 6;
 
@@ -68,6 +70,10 @@ class Checker {
       stop_if_interrupted();
       show_progress(
           fmt::format("{}: step {}, {} elements", input.name, replay.counts().step + 1, replay.tree().element_count()));
+      if (only_sequences() && replay.tree().element_count() > kMostElementsForSequences) {
+        report_without_meshes(input, replay.counts().step + 1);
+        return;
+      }
       replay.advance();
       if (!options_.final_only || replay.done()) report(input, replay);
     }
@@ -104,31 +110,56 @@ class Checker {
     report(input, replay.counts().step, mesh);
   }
 
+  /// Whether no mesh is needed for what was asked.
+  bool only_sequences() const {
+    return properties_.empty() &&
+           std::all_of(claims_.begin(), claims_.end(), [](const Claim* claim) { return claim->on_mesh == nullptr; });
+  }
+
+  /// The remaining steps of a sequence whose meshes get too large to be made just for their figures.
+  void report_without_meshes(const Input& input, std::int64_t first) {
+    const auto last = static_cast<std::int64_t>(input.content.steps.size());
+    for (std::int64_t step = options_.final_only ? last : first; step <= last; ++step) {
+      stop_if_interrupted();
+      show_progress(fmt::format("{}: step {}", input.name, step));
+      CheckRecord record;
+      record.case_name = input.name;
+      record.step = step;
+      for (const Claim* claim : claims_) {
+        record.claims.push_back({claim, try_on_sequence(*claim, prefix_of(input.content, step))});
+      }
+      finish(record, input);
+    }
+  }
+
   void report(const Input& input, std::int64_t step, MeshUnderTest& mesh) {
     if (options_.pair_budget > 0) mesh.pair_budget = options_.pair_budget;
     CheckRecord record;
     record.case_name = input.name;
     record.step = step;
-    record.elements = static_cast<std::int64_t>(mesh.mesh().elements.size());
-    record.new_elements = mesh.new_elements();
-    record.max_level = mesh.max_level();
+    for (const Property* property : properties_) {
+      stop_if_interrupted();
+      record.entries.push_back({property, decide(*property, mesh)});
+    }
+    for (const Claim* claim : claims_) {
+      stop_if_interrupted();
+      record.claims.push_back({claim, decide_claim(*claim, input.content, step, mesh)});
+    }
+    record.mesh = {{static_cast<std::int64_t>(mesh.mesh().elements.size()), mesh.new_elements(), mesh.max_level(),
+                    static_cast<std::int64_t>(mesh.splines().size())}};
+    finish(record, input);
+  }
+
+  /// Counts the verdicts and prints the record.
+  void finish(CheckRecord& record, const Input& input) {
     bool violated = false;
     const auto count = [&](const char* id, Outcome outcome) {
       ++tally_[{id, outcome}];
       violated = violated || outcome == Outcome::violated;
     };
-    for (const Property* property : properties_) {
-      stop_if_interrupted();
-      record.entries.push_back({property, decide(*property, mesh)});
-      count(property->id, record.entries.back().verdict.outcome);
-    }
-    for (const Claim* claim : claims_) {
-      stop_if_interrupted();
-      record.claims.push_back({claim, decide_claim(*claim, input.content, step, mesh)});
-      count(claim->id, record.claims.back().trial.verdict.outcome);
-    }
-    record.active_nodes = mesh.splines().size();
-    if (violated && options_.format == Format::json) record.mesh_case = text_up_to(input.content, step);
+    for (const auto& entry : record.entries) count(entry.property->id, entry.verdict.outcome);
+    for (const auto& entry : record.claims) count(entry.claim->id, entry.trial.verdict.outcome);
+    if (violated && options_.format == Format::json) record.mesh_case = text_up_to(input.content, record.step);
     print(options_.format == Format::json ? check_json(record) : check_text(record));
   }
 

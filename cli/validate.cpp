@@ -62,9 +62,9 @@ struct LiteralRecord {
 std::string objection_to_elements(const Json& record, reference::ClaimSubject& subject) {
   if (!record.contains("elements") && !record.contains("properties")) return {};
   try {
-    const std::size_t elements = subject.mesh().size();
-    if (record.at("elements") == elements) return {};
-    return fmt::format("the mesh has {} elements, not {}", elements, record.at("elements").dump());
+    const auto elements = subject.element_count();
+    if (!elements || record.at("elements") == *elements) return {};
+    return fmt::format("the mesh has {} elements, not {}", *elements, record.at("elements").dump());
   } catch (const reference::Rejected& reason) {
     return reason.what();
   }

@@ -22,13 +22,15 @@ std::string failure_text(const Statement& statement, const Verdict& verdict) {
 }  // namespace
 
 std::string check_json(const CheckRecord& record) {
-  nlohmann::ordered_json json{{"case", record.case_name},
-                              {"step", record.step},
-                              {"elements", record.elements},
-                              {"new_elements", record.new_elements}};
-  json["max_level"] = record.max_level ? nlohmann::ordered_json(*record.max_level) : nlohmann::ordered_json(nullptr);
-  json["active_nodes"] = record.active_nodes;
-  json["properties"] = nlohmann::ordered_json::object();
+  nlohmann::ordered_json json{{"case", record.case_name}, {"step", record.step}};
+  if (record.mesh) {
+    json["elements"] = record.mesh->elements;
+    json["new_elements"] = record.mesh->new_elements;
+    json["max_level"] =
+        record.mesh->max_level ? nlohmann::ordered_json(*record.mesh->max_level) : nlohmann::ordered_json(nullptr);
+    json["active_nodes"] = record.mesh->active_nodes;
+    json["properties"] = nlohmann::ordered_json::object();
+  }
   for (const CheckRecord::Entry& entry : record.entries) {
     json["properties"][entry.property->id] = verdict_json(entry.verdict);
   }
@@ -42,10 +44,12 @@ std::string check_json(const CheckRecord& record) {
 }
 
 std::string check_text(const CheckRecord& record) {
-  std::string result = fmt::format("{}: step {}: {} elements ({} new), {}, {} active nodes:", record.case_name,
-                                   record.step, record.elements, record.new_elements,
-                                   record.max_level ? fmt::format("level {}", *record.max_level) : "no integer levels",
-                                   record.active_nodes);
+  std::string result = fmt::format("{}: step {}:", record.case_name, record.step);
+  if (const auto& mesh = record.mesh) {
+    result += fmt::format(" {} elements ({} new), {}, {} active nodes:", mesh->elements, mesh->new_elements,
+                          mesh->max_level ? fmt::format("level {}", *mesh->max_level) : "no integer levels",
+                          mesh->active_nodes);
+  }
   std::string held;
   int held_count = 0;
   std::string rest;

@@ -15,10 +15,13 @@ namespace asts {
 struct CheckRecord {
   std::string case_name;
   std::int64_t step = 0;
-  std::int64_t elements = 0;
-  std::int64_t new_elements = 0;
-  std::optional<std::int32_t> max_level;
-  std::int64_t active_nodes = 0;
+  struct Figures {
+    std::int64_t elements = 0;
+    std::int64_t new_elements = 0;
+    std::optional<std::int32_t> max_level;
+    std::int64_t active_nodes = 0;
+  };
+  std::optional<Figures> mesh;  ///< none for a sequence whose mesh is too large to be made for this
   struct Entry {
     const Property* property;
     Verdict verdict;

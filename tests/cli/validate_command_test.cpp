@@ -70,6 +70,20 @@ TEST(ValidateCommand, OpensTheCaseOfARecordWithoutMesh) {
   EXPECT_EQ(run({"validate", file}).exit_code, 2);
 }
 
+// A sequence of 6 * 10^7 elements is decided, and its witness too, without its mesh; one of 186805 elements with it.
+TEST(ValidateCommand, DecidesWitnessesAboutLongSequences) {
+  const TemporaryFolder folder;
+  const std::string findings = std::string(ASTS_CASES) + "/../../reports/findings/";
+  for (const std::string id : {"lambda-sums", "experiment-constant"}) {
+    const Outcome checked = run({"check", "--final", "--format", "json", "--claim", id, findings + id + ".case"});
+    EXPECT_EQ(checked.exit_code, 1) << checked.err;
+    ordered_json record = records_of(checked.out).at(0);
+    EXPECT_EQ(record.contains("elements"), id != "lambda-sums");
+    const std::string file = folder.write(id, checked.out);
+    EXPECT_EQ(run({"validate", file}).exit_code, 0) << id;
+  }
+}
+
 struct Corruption {
   const char* pointer;  ///< into the record
   const char* value;    ///< JSON; empty: the key is removed

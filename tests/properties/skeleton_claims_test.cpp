@@ -396,7 +396,7 @@ PlanarCounts few_cuts(std::array<int, 2> squares, int max_cuts) {
   return counts;
 }
 
-// The counterexample has four cuts on 2 x 6 squares. (For one degree along x and y, mirrored active regions are alike.)
+// The counterexample has four cuts; with halves the smallest has four on 2 x 6 squares. (For one degree along x and y, mirrored active regions are alike.)
 TEST(SkeletonClaims, NoSmallerPlanarCounterexample) {
   std::size_t cuts = 0;
   for (const Step& step : finding("planar-equals-classical").steps) cuts += step.marks.size();

@@ -1,5 +1,8 @@
 #include "tests/reference/claim_subject.hpp"
 
+#include <algorithm>
+
+#include "tests/reference/lambda_chain.hpp"
 #include "tests/reference/refine.hpp"
 #include "tests/reference/witness_json.hpp"
 
@@ -22,6 +25,40 @@ const Mesh& ClaimSubject::mesh() {
   if (!tiles_ && !tiles_domain(setting_, *mesh_)) throw Rejected("the mesh does not tile the domain");
   tiles_ = true;
   return *mesh_;
+}
+
+std::optional<std::size_t> ClaimSubject::element_count() {
+  const bool refines_only =
+      steps_ && std::all_of(steps_->begin(), steps_->end(), [](const LiteralStep& step) { return step.refine; });
+  return refines_only ? count_by_subdivisions() : std::optional(mesh().size());
+}
+
+/// Few levels are tried first: the grid of many would not fit into whole numbers when m is large.
+std::optional<std::size_t> ClaimSubject::count_by_subdivisions() const {
+  constexpr std::size_t few_levels = 12;
+  for (const std::size_t levels : {std::min(steps_->size() + 1, few_levels), steps_->size() + 1}) {
+    try {
+      return count_on_grid(static_cast<int>(levels));
+    } catch (const TooFine&) {
+      continue;
+    } catch (const std::overflow_error&) {
+      continue;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A subdivision puts m elements in the place of one.
+std::size_t ClaimSubject::count_on_grid(int finest_level) const {
+  SubdividedSet subdivided(setting_, finest_level);
+  for (const LiteralStep& step : *steps_) {
+    std::vector<GridBox> marks;
+    for (const Point& mark : step.marks) marks.push_back(subdivided.element_at(mark));
+    subdivided.refine(marks);
+  }
+  std::size_t cubes = 1;
+  for (const int side : setting_.domain) cubes *= static_cast<std::size_t>(side);
+  return cubes + subdivided.size() * static_cast<std::size_t>(setting_.grading - 1);
 }
 
 Mesh after_step(const Setting& setting, const Mesh& mesh, const LiteralStep& step) {

@@ -30,9 +30,14 @@ class ClaimSubject {
   /// The last mesh; tiles the domain. Throws Rejected when the boxes do not, when a mark lies outside of the
   /// domain, or when there is no mesh.
   const Mesh& mesh();
+  /// How many elements it has: for calls of Algorithm 2.9 alone counted without making it. Nothing when these go too
+  /// deep for that.
+  std::optional<std::size_t> element_count();
 
  private:
   ClaimSubject() = default;
+  std::optional<std::size_t> count_by_subdivisions() const;
+  std::size_t count_on_grid(int finest_level) const;
 
   Setting setting_{{3, 3, 3}, 2, {1, 1, 1}};
   std::optional<std::vector<LiteralStep>> steps_;
