@@ -59,16 +59,18 @@ class Cases {
   }
 
   ClaimWitness describe(const CasePair& pair) const {
-    const auto slice = [&](const TellingSlice& one) {
-      return std::string(axis_name(one.axis)) + " = " + to_string(mesh_.mesh().coordinate(one.axis, one.rank));
-    };
+    const auto slice = [&](const TellingSlice& one) { return mesh_.mesh().coordinate(one.axis, one.rank); };
     const auto node = [&](std::int32_t id) { return describe_node(mesh_.mesh(), splines_, id); };
     return {
         "case-without-conclusion",
-        "the nodes are as a case of the proof has them, but do not refute dual-compatibility: their supports share no "
-        "volume, or the index vectors overlap along two axes",
-        {{"first slice", slice(pair.first)},
-         {"second slice", slice(pair.second)},
+        conclusion_ == CaseConclusion::no_partial_overlap
+            ? "the nodes are as a case of the proof has them, but they partially overlap"
+            : "the nodes are as a case of the proof has them, but they partially overlap, or their supports share no "
+              "volume",
+        {{"first_axis", std::string(axis_name(pair.first.axis))},
+         {"first_slice", slice(pair.first)},
+         {"second_axis", std::string(axis_name(pair.second.axis))},
+         {"second_slice", slice(pair.second)},
          {"v1", node(pair.first.in)},
          {"v2", node(pair.first.out)},
          {"v3", node(pair.second.in)},
@@ -88,12 +90,28 @@ Trial cases_of(MeshUnderTest& mesh, CaseConclusion conclusion) {
   return judge_cases(mesh, SliceNodes(mesh), conclusion);
 }
 
+/// REQUIRES: two perturbed regions meet.
+ClaimWitness no_case(MeshUnderTest& mesh) {
+  const RegionsMeetWitness meeting = describe_meeting(mesh, mesh.meeting_regions().value());
+  return {"no-case",
+          "two perturbed regions meet in the point because of v1, v2 and v3, v4, but none of the cases occurs",
+          {{"point", meeting.point},
+           {"first_axis", std::string(axis_name(meeting.first.axis))},
+           {"first_slice", meeting.first.slice},
+           {"second_axis", std::string(axis_name(meeting.second.axis))},
+           {"second_slice", meeting.second.slice},
+           {"v1", meeting.first.in},
+           {"v2", meeting.first.out},
+           {"v3", meeting.second.in},
+           {"v4", meeting.second.out}}};
+}
+
 }  // namespace
 
 Trial judge_cases(MeshUnderTest& mesh, const SliceNodes& slice_nodes, CaseConclusion conclusion) {
   const Trial trial = Cases(mesh, slice_nodes, conclusion).judge();
   if (trial.met > 0) return trial;
-  return {Verdict::violated(ClaimWitness{"no-case", "two perturbed regions meet, but none of the cases occurs", {}})};
+  return {Verdict::violated(no_case(mesh))};
 }
 
 Trial cases(MeshUnderTest& mesh) { return cases_of(mesh, CaseConclusion::not_dual_compatible); }

@@ -43,7 +43,13 @@ bool in_region(const ActiveRegion& region, const PerAxis<HalfRank>& point) {
   return true;
 }
 
-Verdict not_covered(const Mesh& mesh, const Hanging& hanging, const PerAxis<HalfRank>& point) {
+constexpr const char* kInNoRegion =
+    "the node or edge hangs on the element along the axis and has a point in no perturbed region";
+constexpr const char* kNotInOwnRegion =
+    "the node or edge hangs on the element along the axis and has a point of the active region outside the perturbed "
+    "region of that axis";
+
+Verdict not_covered(const Mesh& mesh, const Hanging& hanging, const PerAxis<HalfRank>& point, const char* says) {
   ExactBox box;
   ExactPoint outside;
   for (Axis axis = 0; axis < kDimension; ++axis) {
@@ -53,13 +59,13 @@ Verdict not_covered(const Mesh& mesh, const Hanging& hanging, const PerAxis<Half
     outside[a] = (mesh.coordinate(axis, point[a] / 2) + mesh.coordinate(axis, (point[a] + 1) / 2)) / 2;
   }
   const bool node = hanging.box.lower == hanging.box.upper;
-  return Verdict::violated(ClaimWitness{
-      node ? "hanging-node-not-covered" : "hanging-edge-not-covered",
-      std::string("hangs along ") + axis_name(hanging.axis) + " on the element and has a point in no perturbed region",
-      {{"hanging", box},
-       {"element", describe_element(mesh, hanging.element)},
-       {"point", outside},
-       {"slice", mesh.coordinate(hanging.axis, hanging.rank())}}});
+  return Verdict::violated(ClaimWitness{node ? "hanging-node-not-covered" : "hanging-edge-not-covered",
+                                        says,
+                                        {{"axis", std::string(axis_name(hanging.axis))},
+                                         {"hanging", box},
+                                         {"element", describe_element(mesh, hanging.element)},
+                                         {"point", outside},
+                                         {"slice", mesh.coordinate(hanging.axis, hanging.rank())}}});
 }
 
 std::vector<Hanging> all_hanging(const Mesh& mesh) {
@@ -114,7 +120,7 @@ Trial judge_hanging_cover(const Mesh& mesh, const PerturbedRegions& regions) {
     ++trial.met;
     for (const PerAxis<HalfRank>& point : lattice_points(all[i].box)) {
       if (covered(regions, point)) continue;
-      trial.verdict = not_covered(mesh, all[i], point);
+      trial.verdict = not_covered(mesh, all[i], point, kInNoRegion);
       return trial;
     }
   }
@@ -141,7 +147,7 @@ Trial judge_hanging_cover_repaired(const Mesh& mesh, const PerturbedRegions& reg
     one_axis[at(hanging.axis)] = regions[at(hanging.axis)];
     for (const PerAxis<HalfRank>& point : lattice_points(hanging.box)) {
       if (!in_region(active, point) || covered(one_axis, point)) continue;
-      trial.verdict = not_covered(mesh, hanging, point);
+      trial.verdict = not_covered(mesh, hanging, point, kNotInOwnRegion);
       return trial;
     }
   }

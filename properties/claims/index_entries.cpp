@@ -44,14 +44,14 @@ ExactPoint middle_of(const Mesh& mesh, Axis axis, const PerAxis<HalfRank>& cell)
 
 Verdict missing_entry(const Mesh& mesh, Axis axis, const PerAxis<HalfRank>& cell, const Rational& entry,
                       std::vector<Rational> set) {
-  return Verdict::violated(
-      ClaimWitness{"entry-missing",
-                   std::string("the global index set along ") + axis_name(axis) + " through a point lacks an entry",
-                   {{"point", middle_of(mesh, axis, cell)},
-                    {"length", std::int64_t{mesh.setting.domain[at(axis)]}},
-                    {"degree", std::int64_t{mesh.setting.degree[at(axis)]}},
-                    {"entry", entry},
-                    {"index_set", std::move(set)}}});
+  return Verdict::violated(ClaimWitness{"entry-missing",
+                                        "the global index set along the axis through the point lacks the entry",
+                                        {{"axis", std::string(axis_name(axis))},
+                                         {"point", middle_of(mesh, axis, cell)},
+                                         {"length", std::int64_t{mesh.setting.domain[at(axis)]}},
+                                         {"degree", std::int64_t{mesh.setting.degree[at(axis)]}},
+                                         {"entry", entry},
+                                         {"index_set", std::move(set)}}});
 }
 
 /// Calls visit(cell) with a point in each cell between the mesh's lines across an axis, until it returns false.
@@ -142,9 +142,10 @@ Verdict no_unique_vector(const Mesh& mesh, Axis axis, const PerAxis<std::int32_t
   ExactPoint point;
   for (Axis other = 0; other < kDimension; ++other) point[at(other)] = mesh.coordinate(other, node[at(other)]);
   return Verdict::violated(ClaimWitness{"no-unique-index-vector",
-                                        std::string("not exactly one choice of p+2 consecutive entries along ") +
-                                            axis_name(axis) + " with the active node in the middle",
-                                        {{"node", point},
+                                        "not exactly one choice of p+2 consecutive entries along the axis has the "
+                                        "active node in the middle",
+                                        {{"axis", std::string(axis_name(axis))},
+                                         {"node", point},
                                          {"length", std::int64_t{mesh.setting.degree[at(axis)]} + 2},
                                          {"choices", static_cast<std::int64_t>(windows)},
                                          {"index_set", coordinates_of(mesh, axis, set)}}});

@@ -10,8 +10,8 @@ namespace {
 Verdict overlapping_all_the_same(MeshUnderTest& mesh, const TellingSlice& slice) {
   const std::string axis = axis_name(slice.axis);
   return Verdict::violated(ClaimWitness{"perturbed-yet-overlapping",
-                                        "the slice meets both supports, v1 is in N_" + axis +
-                                            " of it and v2 is not, but their index vectors along " + axis + " overlap",
+                                        "the slice meets both supports, v1 has its projection on it in the skeleton "
+                                        "and v2 has not, but their index vectors along the axis overlap",
                                         {{"axis", axis},
                                          {"slice", mesh.mesh().coordinate(slice.axis, slice.rank)},
                                          {"v1", describe_node(mesh.mesh(), mesh.splines(), slice.in)},

@@ -1,5 +1,7 @@
 #include "properties/claims/proof_figure.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "lib/refine/replay.hpp"
@@ -11,6 +13,7 @@ namespace {
 
 using Rectangle = ProofFigure::Rectangle;
 using Point2 = std::array<int, 2>;
+using Place = std::vector<Rational>;
 
 constexpr Point2 kSquares{17, 21};
 constexpr int kDrawnLevel = 3;  // of K
@@ -225,23 +228,45 @@ std::optional<std::int32_t> find_drawn_element(MeshUnderTest& mesh, const ProofF
   return std::nullopt;
 }
 
-FigureItems items_of_figure(MeshUnderTest& mesh, std::int32_t element, const ProofFigure& figure) {
+namespace {
+
+/// The first of the points that only one of the sets has, in units of the drawn squares.
+std::optional<Place> difference(const std::set<Point2>& one, const std::set<Point2>& other, const Rational& offset,
+                                int parts) {
+  std::vector<Point2> points;
+  std::set_symmetric_difference(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(points));
+  if (points.empty()) return std::nullopt;
+  return Place{(points[0][0] + offset) / parts, (points[0][1] + offset) / parts};
+}
+
+}  // namespace
+
+FigureDifferences differences_from_figure(MeshUnderTest& mesh, std::int32_t element, const ProofFigure& figure) {
   const RefinementTree& tree = mesh.tree();
   const int margin = margin_of(tree.setting()).value();
-  FigureItems items;
-  items.emplace_back("levels", mesh.admissible());
-  items.emplace_back("patch",
-                     union_on_slice(tree, element, {environment_of(tree, element)}, margin) == cells_of(figure.patch));
-  items.emplace_back("second-order patch", union_on_slice(tree, element, environments_in_patch(tree, element),
-                                                          margin) == cells_of(figure.second_patch));
+  const auto cells = [&](const std::vector<PerAxis<RankInterval>>& environments, const Rectangle& drawn) {
+    return difference(union_on_slice(tree, element, environments, margin), cells_of(drawn), Rational(1, 2), 2);
+  };
+  FigureDifferences result;
+  result.emplace_back("patch", cells({environment_of(tree, element)}, figure.patch));
+  result.emplace_back("second-order patch", cells(environments_in_patch(tree, element), figure.second_patch));
   const Quarters quarters(mesh.mesh(), margin);
-  items.emplace_back("Sigma", quarters.seen(new_supports(mesh, element)) == quarters.drawn({figure.sigma}));
+  const auto sets = [&](const std::vector<Box>& boxes, const std::vector<Rectangle>& drawn) {
+    return difference(quarters.seen(boxes), quarters.drawn(drawn), 0, 4);
+  };
+  result.emplace_back("Sigma", sets(new_supports(mesh, element), {figure.sigma}));
   const PerAxis<std::vector<Rectangle>> drawn{drawn_region_x(figure), figure.lines_y, figure.lines_z};
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    items.emplace_back(
-        std::string("R") + axis_name(axis),
-        quarters.seen(perturbed_region(mesh.splines(), mesh.bricks(), axis)) == quarters.drawn(drawn[at(axis)]));
+    result.emplace_back(std::string("R") + axis_name(axis),
+                        sets(perturbed_region(mesh.splines(), mesh.bricks(), axis), drawn[at(axis)]));
   }
+  return result;
+}
+
+FigureItems items_of_figure(MeshUnderTest& mesh, std::int32_t element, const ProofFigure& figure) {
+  FigureItems items;
+  items.emplace_back("levels", mesh.admissible());
+  for (const auto& [name, place] : differences_from_figure(mesh, element, figure)) items.emplace_back(name, !place);
   return items;
 }
 

@@ -51,6 +51,10 @@ std::optional<std::int32_t> find_drawn_element(MeshUnderTest& mesh, const ProofF
 using FigureItems = std::vector<std::pair<std::string, bool>>;
 FigureItems items_of_figure(MeshUnderTest& mesh, std::int32_t element, const ProofFigure& figure);
 
+/// For each drawn set the first place, in units of the drawn squares (y, z), that only one of figure and mesh has.
+using FigureDifferences = std::vector<std::pair<std::string, std::optional<std::vector<Rational>>>>;
+FigureDifferences differences_from_figure(MeshUnderTest& mesh, std::int32_t element, const ProofFigure& figure);
+
 /// All items are there. Met: those that are.
 Trial judge_proof_figure(MeshUnderTest& mesh, const ProofFigure& figure);
 

@@ -2,6 +2,8 @@
 
 #include "lib/refine/replay.hpp"
 #include "properties/claims/proof_figure.hpp"
+#include "properties/describe.hpp"
+#include "properties/properties.hpp"
 
 namespace asts {
 
@@ -88,22 +90,37 @@ Case case_of_figure(const ProofFigure& figure, const PerAxis<int>& degree) {
   return content;
 }
 
+namespace {
+
+/// The levels are not those of an admissible mesh.
+void add_levels(MeshUnderTest& mesh, ClaimWitness& witness) {
+  const Verdict admissible = decide_admissible(mesh);
+  const auto& coarser = std::get<CoarserInPatchWitness>(admissible.witness.value());
+  witness.values.emplace_back("levels: subdivided", coarser.element);
+  witness.values.emplace_back("levels: environment", coarser.environment);
+  witness.values.emplace_back("levels: coarser", coarser.coarser);
+}
+
+}  // namespace
+
 Trial judge_proof_figure(MeshUnderTest& mesh, const ProofFigure& figure) {
   const auto element = find_drawn_element(mesh, figure);
   if (!element) return {Verdict::not_applicable("not the figure's mesh")};
-  const FigureItems items = items_of_figure(mesh, *element, figure);
+  ClaimWitness witness{"drawn-otherwise",
+                       "the definitions do not give what is drawn: the mesh is not admissible, or only the figure or "
+                       "only the mesh has the place (y,z) of the drawn squares in the set",
+                       {{"K", describe_tree_element(mesh.tree(), *element)}}};
   Trial trial;
-  std::string missing;
-  for (const auto& [name, fits] : items) {
-    trial.met += fits;
-    if (!fits) missing += (missing.empty() ? "" : ", ") + name;
+  if (mesh.admissible()) {
+    ++trial.met;
+  } else {
+    add_levels(mesh, witness);
   }
-  if (missing.empty()) return trial;
-  const PerAxis<int>& degree = mesh.mesh().setting.degree;
-  trial.verdict = Verdict::violated(
-      ClaimWitness{"drawn-otherwise",
-                   "the definitions do not give what is drawn",
-                   {{"p2", std::int64_t{degree[1]}}, {"p3", std::int64_t{degree[2]}}, {"not_as_drawn", missing}}});
+  for (const auto& [name, place] : differences_from_figure(mesh, *element, figure)) {
+    trial.met += place ? 0 : 1;
+    if (place) witness.values.emplace_back(name, *place);
+  }
+  if (witness.values.size() > 1) trial.verdict = Verdict::violated(std::move(witness));
   return trial;
 }
 
@@ -121,7 +138,9 @@ FigureItems items_for_degree(const ProofFigure& figure, const PerAxis<int>& degr
 
 Trial judge_degrees(const ProofFigure& figure, int max_degree) {
   Trial trial;
-  ClaimWitness table{"no-degree-fits", "for each item the degrees p2,p3 for which it is as drawn", {}};
+  ClaimWitness table{"no-degree-fits",
+                     "no odd degrees p2, p3 fit; for each item those among the tried ones for which it is as drawn",
+                     {{"tried to", std::int64_t{max_degree}}}};
   bool fitting = false;
   std::vector<std::pair<std::string, std::string>> rows;
   for (int p2 = 3; p2 <= max_degree; p2 += 2) {

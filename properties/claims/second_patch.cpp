@@ -45,14 +45,20 @@ bool larger_anywhere(const Element& one, const Element& other) {
   return false;
 }
 
+/// An element of the second-order patch of K, and one of the patch of K whose patch it is in.
+struct Larger {
+  const Element* element;
+  const Element* through;
+};
+
 /// The elements of the second-order patch of K that are larger than K along some axis. K is in its own patch, and each
 /// element in its own, so that the patch of K is a part of the second-order patch.
-std::vector<const Element*> larger_in_second_patch(const PatchElements& all, const Element& element) {
+std::vector<Larger> larger_in_second_patch(const PatchElements& all, const Element& element) {
   std::vector<const Element*> candidates;
   for (const Element& other : all.elements) {
     if (larger_anywhere(other, element)) candidates.push_back(&other);
   }
-  std::vector<const Element*> result;
+  std::vector<Larger> result;
   if (candidates.empty()) return result;
   std::vector<const Element*> patch;
   for (const Element& inner : all.elements) {
@@ -60,16 +66,19 @@ std::vector<const Element*> larger_in_second_patch(const PatchElements& all, con
   }
   for (const Element* candidate : candidates) {
     const auto reaches = [&](const Element* inner) { return in_patch(*candidate, *inner); };
-    if (std::any_of(patch.begin(), patch.end(), reaches)) result.push_back(candidate);
+    const auto through = std::find_if(patch.begin(), patch.end(), reaches);
+    if (through != patch.end()) result.push_back({candidate, *through});
   }
   return result;
 }
 
-ClaimWitness larger_element(const RefinementTree& tree, const Element& element, const Element& large, Axis axis) {
-  return {
-      "larger-in-second-patch",
-      std::string("an element of the second-order patch is larger along ") + axis_name(axis),
-      {{"element", describe_tree_element(tree, element.leaf)}, {"larger", describe_tree_element(tree, large.leaf)}}};
+ClaimWitness larger_element(const RefinementTree& tree, const Element& element, const Larger& larger, Axis axis) {
+  return {"larger-in-second-patch",
+          "an element of the second-order patch is larger than the element along the axis",
+          {{"axis", std::string(axis_name(axis))},
+           {"element", describe_tree_element(tree, element.leaf)},
+           {"through", describe_tree_element(tree, larger.through->leaf)},
+           {"larger", describe_tree_element(tree, larger.element->leaf)}}};
 }
 
 }  // namespace
@@ -102,14 +111,14 @@ Judgement judge_second_patch(const RefinementTree& tree, const PatchElements& al
   Judgement judgement;
   const Element& own = all.elements[element];
   const Axis x = tree.split_axis(own.leaf);
-  for (const Element* other : larger_in_second_patch(all, own)) {
+  for (const Larger& larger : larger_in_second_patch(all, own)) {
     for (int role = 0; role < kDimension; ++role) {
       const Axis axis = (x + role) % kDimension;
-      if (other->size[at(axis)] <= own.size[at(axis)]) continue;
+      if (larger.element->size[at(axis)] <= own.size[at(axis)]) continue;
       if (role == 2) {
         ++judgement.met;
       } else if (!judgement.violation) {
-        judgement.violation = larger_element(tree, own, *other, axis);
+        judgement.violation = larger_element(tree, own, larger, axis);
       }
     }
   }

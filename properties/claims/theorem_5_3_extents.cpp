@@ -85,13 +85,15 @@ class SigmaExtent {
       part.upper[at(axis)] = coordinate_of(step_.mesh, axis, box.upper[at(axis)]);
     }
     return {"sigma-too-large",
-            "a part of Sigma leaves the box",
-            {{"element", describe_step_element(step_)}, {"part", part}}};
+            "a part of Sigma leaves the box that is said to contain Sigma",
+            {{"element", describe_step_element(step_)},
+             {"xi", step_.mesh.coordinate(step_.role(0), face_.line)},
+             {"part", part}}};
   }
 
   ClaimWitness node_too_far(std::int32_t node) const {
     return {"node-too-far",
-            "the node's support meets Sigma, the node is outside the box",
+            "the node's support meets Sigma, but the node is outside the box that is said to contain it",
             {{"element", describe_step_element(step_)},
              {"xi", step_.mesh.coordinate(step_.role(0), face_.line)},
              {"node", describe_node(step_.mesh, step_.splines, node)}}};

@@ -20,16 +20,18 @@ std::vector<Box> away_from_new_faces(const SubdivisionStep& step, const std::vec
   return result;
 }
 
-ClaimWitness region_changed(const SubdivisionStep& step, Axis axis, const std::vector<Box>& old_region,
-                            const std::vector<Box>& new_region) {
-  ClaimWitness witness{"region-changed",
-                       std::string("the perturbed region of ") + axis_name(axis) + " is not the same after the step",
-                       {{"element", describe_step_element(step)}, {"axis", std::string(axis_name(axis))}}};
-  if (const auto point = point_of_difference(old_region, new_region)) {
-    witness.values.emplace_back("point", point_at(step.mesh, *point));
-    witness.values.emplace_back("in", std::string(contains_point(old_region, *point) ? "before" : "after"));
-  }
-  return witness;
+std::optional<ClaimWitness> region_changed(const SubdivisionStep& step, Axis axis, const std::vector<Box>& old_region,
+                                           const std::vector<Box>& new_region) {
+  if (old_region == new_region) return std::nullopt;
+  const auto point = point_of_difference(old_region, new_region);
+  if (!point) return std::nullopt;
+  return ClaimWitness{"region-changed",
+                      "away from the new slices the perturbed region of the axis is not the same after the step: only "
+                      "one of them has the point",
+                      {{"element", describe_step_element(step)},
+                       {"axis", std::string(axis_name(axis))},
+                       {"point", point_at(step.mesh, *point)},
+                       {"in", std::string(contains_point(old_region, *point) ? "before" : "after")}}};
 }
 
 std::vector<Box> boxes_of(const SubdivisionStep& step, const NewFace& face, const std::vector<Rectangle>& rectangles) {
@@ -44,7 +46,7 @@ std::optional<ClaimWitness> meets_other_regions(const SubdivisionStep& step, con
     const auto point = common_point(boxes, step.hatted_regions[at(axis)]);
     if (!point) continue;
     return ClaimWitness{"sigma-meets-region",
-                        std::string("Sigma meets the perturbed region of ") + axis_name(axis),
+                        "Sigma meets the perturbed region of the axis, after the step, in the point",
                         {{"element", describe_step_element(step)},
                          {"xi", step.mesh.coordinate(step.role(0), face.line)},
                          {"axis", std::string(axis_name(axis))},
@@ -86,7 +88,9 @@ std::optional<PerAxis<HalfRank>> point_outside(const SubdivisionStep& step, cons
 std::optional<ClaimWitness> outside_old_and_sigma(const SubdivisionStep& step, const NewFace& face) {
   if (const auto point = point_outside(step, face, face.large_sigma, face.sigma)) {
     return slice_witness(step, face, "larger-sigma",
-                         "the support of an old node whose projection is in the new face is larger than Sigma", *point);
+                         "the point is in the slice and in the support of an old node whose projection is in the new "
+                         "face and not in the old slice's nodes, and it is not in Sigma",
+                         *point);
   }
   const auto a = at(step.role(0));
   std::vector<Rectangle> allowed = slice_of_region(step, face, step.regions[a]);
@@ -94,18 +98,23 @@ std::optional<ClaimWitness> outside_old_and_sigma(const SubdivisionStep& step, c
   const auto point = point_outside(step, face, slice_of_region(step, face, step.hatted_regions[a]), allowed);
   if (!point) return std::nullopt;
   return slice_witness(step, face, "outside-old-region-and-sigma",
-                       "the new slice perturbation has a point outside the old one and Sigma", *point);
+                       "the point is in the slice perturbation after the step, not in the one before it, and not in "
+                       "Sigma",
+                       *point);
 }
 
 ClaimWitness wrong_member(const SubdivisionStep& step, const NewFace& face, std::size_t node) {
   const auto id = static_cast<std::int32_t>(node);
-  return {"wrong-slice-node",
-          std::string(face.hatted_members[node] ? "the node is" : "the node is not") + " in N_" +
-              axis_name(step.role(0)) + "(xi) after the step, against the split",
-          {{"element", describe_step_element(step)},
-           {"xi", step.mesh.coordinate(step.role(0), face.line)},
-           {"node", describe_node(step.mesh, step.splines, id)},
-           {"new", std::string(step.is_new[node] ? "yes" : "no")}}};
+  const auto yes_or_no = [](bool answer) { return std::string(answer ? "yes" : "no"); };
+  return {
+      "wrong-slice-node",
+      "the split says of the node the opposite of what it is after the step: in the nodes of the slice at xi or not",
+      {{"element", describe_step_element(step)},
+       {"xi", step.mesh.coordinate(step.role(0), face.line)},
+       {"node", describe_node(step.mesh, step.splines, id)},
+       {"new", yes_or_no(step.is_new[node])},
+       {"in_slice_before", yes_or_no(face.members[node])},
+       {"in_slice_after", yes_or_no(face.hatted_members[node])}}};
 }
 
 /// Compares N^_x(xi) with what a split says of each node. Met: 1 if N^_x(xi) differs from N_x(xi).
@@ -153,7 +162,7 @@ Judgement judge_kept_regions(const SubdivisionStep& step) {
     const bool own = axis == step.role(0);
     const auto before = own ? away_from_new_faces(step, step.regions[at(axis)]) : step.regions[at(axis)];
     const auto after = own ? away_from_new_faces(step, step.hatted_regions[at(axis)]) : step.hatted_regions[at(axis)];
-    if (!judgement.violation && before != after) judgement.violation = region_changed(step, axis, before, after);
+    if (!judgement.violation) judgement.violation = region_changed(step, axis, before, after);
   }
   return judgement;
 }

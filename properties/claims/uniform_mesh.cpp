@@ -29,8 +29,9 @@ Verdict not_empty(MeshUnderTest& mesh, Axis axis, const Box& part) {
   }
   const auto [in, out] = nodes_behind(mesh.splines(), mesh.bricks(), axis, part.lower);
   return Verdict::violated(ClaimWitness{"perturbed",
-                                        std::string("the perturbed region of ") + axis_name(axis) + " has a point",
-                                        {{"point", point},
+                                        "the point is in the perturbed region of the axis, though the mesh is uniform",
+                                        {{"axis", std::string(axis_name(axis))},
+                                         {"point", point},
                                          {"in", describe_node(mesh.mesh(), mesh.splines(), in)},
                                          {"out", describe_node(mesh.mesh(), mesh.splines(), out)}}});
 }

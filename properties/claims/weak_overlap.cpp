@@ -26,24 +26,27 @@ class WeakOverlap {
     Trial trial;
     for (std::int32_t v = 0; v < splines_.size(); ++v) {
       for (std::int32_t w = 0; w < v; ++w) {
-        const char* disagreement = compare(v, w, trial.met);
-        if (disagreement == nullptr || trial.verdict.outcome == Outcome::violated) continue;
-        trial.verdict = violated(v, w, disagreement);
+        const auto disagreement = compare(v, w, trial.met);
+        if (!disagreement || trial.verdict.outcome == Outcome::violated) continue;
+        trial.verdict = violated(v, w, *disagreement);
       }
     }
     return trial;
   }
 
  private:
-  /// What the definitions disagree about, nullptr if nothing; counts what is not a matter of course.
-  const char* compare(std::int32_t v, std::int32_t w, std::int64_t& met) {
+  enum class About { any_nodes, nodes_of_a_plane };
+
+  /// What the definitions disagree about, nothing if they agree; counts what is not a matter of course.
+  std::optional<About> compare(std::int32_t v, std::int32_t w, std::int64_t& met) {
     const int overlapping = overlapping_axes(v, w, kAllAxes);
     met += overlapping == 2;
-    if (overlapping >= 2 && !weak(v, w, axes_)) return "nodes that overlap along two axes";
-    if (!extruded_ || !in_one_plane(v, w)) return nullptr;
+    if (overlapping >= 2 && !weak(v, w, axes_)) return About::any_nodes;
+    if (!extruded_ || !in_one_plane(v, w)) return std::nullopt;
     const int in_plane = overlapping_axes(v, w, planar_);
     met += in_plane == 1;
-    return (in_plane >= 1) == weak(v, w, planar_) ? nullptr : "nodes of one plane of a planar mesh";
+    if ((in_plane >= 1) == weak(v, w, planar_)) return std::nullopt;
+    return About::nodes_of_a_plane;
   }
 
   bool in_one_plane(std::int32_t v, std::int32_t w) const {
@@ -68,12 +71,20 @@ class WeakOverlap {
     });
   }
 
-  Verdict violated(std::int32_t v, std::int32_t w, const char* which) const {
-    return Verdict::violated(ClaimWitness{
-        "definitions-disagree",
-        std::string(which) +
-            " partially overlap in one sense, but not in the other: some direction with different, overlapping vectors",
-        {{"v", describe_node(mesh_.mesh(), splines_, v)}, {"w", describe_node(mesh_.mesh(), splines_, w)}}});
+  Verdict violated(std::int32_t v, std::int32_t w, About about) const {
+    ClaimWitness witness{"definitions-disagree",
+                         "the nodes overlap along two axes, but along no axis they have different, overlapping vectors",
+                         {}};
+    if (about == About::nodes_of_a_plane) {
+      witness = {
+          "definitions-disagree-in-a-plane",
+          "the nodes of one plane of a planar mesh overlap along one of its axes, or have different, overlapping "
+          "vectors along one of them, but not both",
+          {{"extruded_along", std::string(axis_name(*extruded_))}}};
+    }
+    witness.values.emplace_back("v", describe_node(mesh_.mesh(), splines_, v));
+    witness.values.emplace_back("w", describe_node(mesh_.mesh(), splines_, w));
+    return Verdict::violated(std::move(witness));
   }
 
   MeshUnderTest& mesh_;

@@ -57,7 +57,10 @@ std::size_t rank_by_elimination(std::vector<Vector> rows) {
 
 }  // namespace
 
-std::size_t rank_of_blending_functions(const std::vector<ActiveNode<Rational>>& splines) {
+namespace {
+
+/// The integrals of B_v B_w over R^3.
+std::vector<Vector> gram_matrix(const std::vector<ActiveNode<Rational>>& splines) {
   std::map<std::pair<Vector, Vector>, Rational> known;
   const auto along = [&](const Vector& x, const Vector& other) {
     const auto found = known.find({x, other});
@@ -70,7 +73,21 @@ std::size_t rank_of_blending_functions(const std::vector<ActiveNode<Rational>>& 
       for (std::size_t a = 0; a < dimension; ++a)
         if (gram[v][w] != 0) gram[v][w] *= along(splines[v].vectors[a], splines[w].vectors[a]);
     }
-  return gram.empty() ? 0 : rank_by_elimination(std::move(gram));
+  return gram;
+}
+
+}  // namespace
+
+std::size_t rank_of_blending_functions(const std::vector<ActiveNode<Rational>>& splines) {
+  return splines.empty() ? 0 : rank_by_elimination(gram_matrix(splines));
+}
+
+Rational squared_norm(const std::vector<ActiveNode<Rational>>& splines, const Vector& coefficients) {
+  const std::vector<Vector> gram = gram_matrix(splines);
+  Rational sum = 0;
+  for (std::size_t v = 0; v < splines.size(); ++v)
+    for (std::size_t w = 0; w < splines.size(); ++w) sum += coefficients[v] * gram[v][w] * coefficients[w];
+  return sum;
 }
 
 bool overlapping_vectors_are_dual(const std::vector<Vector>& vectors) {

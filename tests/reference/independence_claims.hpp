@@ -10,6 +10,10 @@ namespace asts::reference {
 /// rank, by elimination over Q. Cost: cubic in the functions.
 std::size_t rank_of_blending_functions(const std::vector<ActiveNode<Rational>>& splines);
 
+/// The integral of (sum of c_v B_v)^2 over R^3: 0 exactly if the sum is the zero function. REQUIRES: as many
+/// coefficients as splines.
+Rational squared_norm(const std::vector<ActiveNode<Rational>>& splines, const std::vector<Rational>& coefficients);
+
 /// Proposition 6.1 on a set of index vectors: does every pair that overlaps in the sense of (6.1) have
 /// lambda_X(N_X~) = delta, by the integral of the definition?
 bool overlapping_vectors_are_dual(const std::vector<std::vector<Rational>>& vectors);

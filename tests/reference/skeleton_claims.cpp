@@ -209,12 +209,23 @@ bool hanging_covered(const Setting& setting, const Mesh& mesh) {
   return true;
 }
 
-namespace {
+bool is_node_of(const Mesh& mesh, const Point& point) {
+  return std::any_of(mesh.begin(), mesh.end(), [&](const Box& k) { return is_vertex(k, point); });
+}
+
+bool is_edge_of(const Mesh& mesh, const Box& segment) {
+  return std::any_of(mesh.begin(), mesh.end(), [&](const Box& k) {
+    const std::vector<Box> all = edges(k);
+    return std::find(all.begin(), all.end(), segment) != all.end();
+  });
+}
 
 bool hangs_on(const Box& hanging, const Box& k) {
   if (hanging.lower == hanging.upper) return in_closed_box(k, hanging.lower) && !is_vertex(k, hanging.lower);
   return meets_inside_of_face(hanging, k);
 }
+
+namespace {
 
 bool has_active_vertex_outside(const Regions& regions, const Box& k, std::size_t axis, const Rational& q) {
   for (const Point& w : vertices(k))
@@ -285,6 +296,8 @@ std::vector<Rational> planar_index_set(const std::vector<Rectangle>& mesh, const
   return {result.begin(), result.end()};
 }
 
+}  // namespace
+
 Rectangle planar_extension(const std::vector<Rectangle>& mesh, const PlanarJunction& junction, int degree) {
   const std::vector<Rational> set = planar_index_set(mesh, junction.point, junction.axis);
   const int at = static_cast<int>(std::find(set.begin(), set.end(), junction.point[junction.axis]) - set.begin());
@@ -296,8 +309,6 @@ Rectangle planar_extension(const std::vector<Rectangle>& mesh, const PlanarJunct
   segment.upper[junction.axis] = set[static_cast<std::size_t>(high)];
   return segment;
 }
-
-}  // namespace
 
 std::vector<PlanarJunction> planar_junctions(const std::vector<Rectangle>& mesh) {
   Point2 lower = mesh.front().lower, upper = mesh.front().upper;

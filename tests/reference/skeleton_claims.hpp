@@ -21,6 +21,12 @@ std::vector<Point> hanging_nodes(const Mesh& mesh);
 /// The edges of elements that meet the relative interior of an element's face: boxes without extent on two axes.
 Mesh hanging_edges(const Mesh& mesh);
 
+/// Is the point a vertex, or the segment an edge, of an element?
+bool is_node_of(const Mesh& mesh, const Point& point);
+bool is_edge_of(const Mesh& mesh, const Box& segment);
+/// Does the node (a point) or edge hang on k: no vertex of it but in it; or meeting the relative interior of a face?
+bool hangs_on(const Box& hanging, const Box& k);
+
 /// All of them lie in the perturbed regions' union: tested at the nodes and, on edges, at all coordinates of the mesh
 /// and between.
 bool hanging_covered(const Setting& setting, const Mesh& mesh);
@@ -44,6 +50,8 @@ struct PlanarJunction {
 };
 std::vector<PlanarJunction> planar_junctions(const std::vector<Rectangle>& mesh);
 
+/// The closed extension of a junction: (p+1)/2 entries on the side of the missing edge, (p-1)/2 on the other one.
+Rectangle planar_extension(const std::vector<Rectangle>& mesh, const PlanarJunction& junction, int degree);
 /// A horizontal and a vertical closed extension meet.
 bool planar_extensions_meet(const std::vector<Rectangle>& mesh, std::array<int, 2> degree);
 /// Two T-junctions on opposite sides of one rectangle, on one line across it.

@@ -112,18 +112,23 @@ std::vector<PrintedCases> printed_cases() {
           {"FFTT", {5}}, {"FFTF", {5}},    {"FFFT", {3}},    {"FFFF", {3}}};
 }
 
+std::vector<int> applying_cases(bool v1, bool v2, bool v3, bool v4) {
+  std::vector<int> cases;
+  if ((v1 && !v2) || (!v1 && v2)) cases.push_back(1);
+  if (v1 && !v4) cases.push_back(2);
+  if (!v1 && !v3) cases.push_back(3);
+  if (v2 && v4) cases.push_back(4);
+  if (!v2 && v3) cases.push_back(5);
+  return cases;
+}
+
 int wrong_rows(bool printed_heads) {
   int wrong = 0;
   for (const bool v1 : {true, false})
     for (const bool v2 : {true, false})
       for (const bool v3 : {true, false})      // v3 in N_x(q)
         for (const bool v4 : {true, false}) {  // v4 in N_x(q)
-          std::vector<int> cases;
-          if ((v1 && !v2) || (!v1 && v2)) cases.push_back(1);
-          if (v1 && !v4) cases.push_back(2);
-          if (!v1 && !v3) cases.push_back(3);
-          if (v2 && v4) cases.push_back(4);
-          if (!v2 && v3) cases.push_back(5);
+          const std::vector<int> cases = applying_cases(v1, v2, v3, v4);
           std::string heads;
           for (const bool head : {v1, v2, printed_heads || v3, !printed_heads && v4}) heads += head ? 'T' : 'F';
           for (const PrintedCases& row : printed_cases())

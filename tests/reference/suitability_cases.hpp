@@ -28,6 +28,9 @@ struct PrintedCases {
 };
 std::vector<PrintedCases> printed_cases();
 
+/// The cases of the proof that apply to a situation, by number: v1, v2 in N_y(r), v3, v4 in N_x(q).
+std::vector<int> applying_cases(bool v1, bool v2, bool v3, bool v4);
+
 /// How many of the 16 situations the table gets wrong, or no case covers: with the printed heads for v3, v4, or with
 /// "in N_x(q)".
 int wrong_rows(bool printed_heads);

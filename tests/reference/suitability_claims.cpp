@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "tests/reference/spline_hypotheses.hpp"
 #include "tests/reference/tree.hpp"
 
 namespace asts::reference {
@@ -20,18 +21,6 @@ Verdict implies(bool hypothesis, bool conclusion) {
 template <class T>
 bool supports_meet(const ActiveNode<T>& v, const ActiveNode<T>& w) {
   return closed_intersection(v.support, w.support).has_value();
-}
-
-/// The slices of Definition 5.1 cut from the closed domain.
-template <class T>
-Space<T> with_whole_domain(Space<T> space) {
-  space.active = space.elements.front();
-  for (const BasicBox<T>& element : space.elements)
-    for (std::size_t a = 0; a < dimension; ++a) {
-      space.active.lower[a] = std::min(space.active.lower[a], element.lower[a]);
-      space.active.upper[a] = std::max(space.active.upper[a], element.upper[a]);
-    }
-  return space;
 }
 
 template <class T>
@@ -73,6 +62,8 @@ Lemma<T> lemma(const Space<T>& space, const Splines<T>& splines) {
 
 // ---- The remark to Definition 6.4
 
+}  // namespace
+
 template <class T>
 int overlaps(const ActiveNode<T>& v, const ActiveNode<T>& w, const std::vector<std::size_t>& axes) {
   int count = 0;
@@ -87,7 +78,6 @@ bool weakly_overlap(const ActiveNode<T>& v, const ActiveNode<T>& w, const std::v
   return false;
 }
 
-/// Is there, for every two elements K and L, an element with K's extent across the axis and L's along it?
 template <class T>
 bool extruded(const Space<T>& space, std::size_t axis) {
   std::set<std::pair<PointIn<T>, PointIn<T>>> elements;
@@ -101,6 +91,12 @@ bool extruded(const Space<T>& space, std::size_t axis) {
     }
   return true;
 }
+
+template int overlaps(const ActiveNode<Rational>&, const ActiveNode<Rational>&, const std::vector<std::size_t>&);
+template bool weakly_overlap(const ActiveNode<Rational>&, const ActiveNode<Rational>&, const std::vector<std::size_t>&);
+template bool extruded(const Space<Rational>&, std::size_t);
+
+namespace {
 
 template <class T>
 bool definitions_agree(const Space<T>& space, const Splines<T>& splines) {

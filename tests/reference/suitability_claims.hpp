@@ -22,4 +22,15 @@ struct SuitabilityClaims {
 
 SuitabilityClaims decide_suitability_claims(const Setting& setting, const Mesh& mesh, std::size_t max_nodes);
 
+/// The remark to Definition 6.4: along how many of the axes the index vectors overlap, and the general definition,
+/// different and overlapping vectors along one of them.
+template <class T>
+int overlaps(const ActiveNode<T>& v, const ActiveNode<T>& w, const std::vector<std::size_t>& axes);
+template <class T>
+bool weakly_overlap(const ActiveNode<T>& v, const ActiveNode<T>& w, const std::vector<std::size_t>& axes);
+
+/// Is there, for every two elements K and L, an element with K's extent across the axis and L's along it?
+template <class T>
+bool extruded(const Space<T>& space, std::size_t axis);
+
 }  // namespace asts::reference
