@@ -236,6 +236,8 @@ bool turn_and_cut(PathSearch& search) {
   while (std::next_permutation(order.begin(), order.end())) {
     for (const PathCase* children : {&from, &mirrored}) {
       const PathCase turned = permuted(*children, order);
+      const int m = turned.setting.grading;
+      if (m > 2 && search.propose(with_grading(turned, m - 1, ChildMap::both_ends))) return true;
       const auto& domain = turned.setting.domain;
       const Axis longest = static_cast<Axis>(std::max_element(domain.begin(), domain.end()) - domain.begin());
       const int side = domain[at(longest)];

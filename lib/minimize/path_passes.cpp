@@ -183,6 +183,22 @@ bool drop_layers(PathSearch& search) {
   return any;
 }
 
+bool drop_frame(PathSearch& search) {
+  bool any = false;
+  for (std::size_t axes = (std::size_t{1} << kDimension) - 1; axes > 0; --axes) {
+    PathCase candidate = search.current();
+    bool possible = true;
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      if ((axes >> axis & 1) == 0) continue;
+      const int side = candidate.setting.domain[at(axis)];
+      possible = possible && side > 2;
+      if (possible) candidate = without_layers(without_layers(candidate, axis, side - 1, 1), axis, 0, 1);
+    }
+    any |= possible && search.propose(candidate);
+  }
+  return any;
+}
+
 bool lower_degrees(PathSearch& search) {
   bool any = false;
   for (std::size_t axes = (std::size_t{1} << kDimension) - 1; axes > 0; --axes) {
@@ -278,11 +294,11 @@ bool write_out_closure(PathSearch& search) {
 
 std::span<const PathPass> descent_passes() {
   static constexpr std::array kPasses{
-      PathPass{"drop-elements", drop_elements},  PathPass{"write-out-closure", write_out_closure},
-      PathPass{"drop-layers", drop_layers},      PathPass{"lower-degrees", lower_degrees},
-      PathPass{"lower-grading", lower_grading},  PathPass{"merge-steps", merge_steps},
-      PathPass{"permute-axes", permute_axes},    PathPass{"reflect-axes", reflect_axes},
-      PathPass{"move-to-origin", move_to_origin}};
+      PathPass{"drop-elements", drop_elements}, PathPass{"write-out-closure", write_out_closure},
+      PathPass{"drop-layers", drop_layers},     PathPass{"drop-frame", drop_frame},
+      PathPass{"lower-degrees", lower_degrees}, PathPass{"lower-grading", lower_grading},
+      PathPass{"merge-steps", merge_steps},     PathPass{"permute-axes", permute_axes},
+      PathPass{"reflect-axes", reflect_axes},   PathPass{"move-to-origin", move_to_origin}};
   return kPasses;
 }
 

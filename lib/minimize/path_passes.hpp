@@ -15,7 +15,7 @@ struct PathPass {
 
 /// More marks are not moved, and more steps not merged, one by one; nor is a case with more of them looked at in larger
 /// settings.
-inline constexpr std::size_t kMostMoved = 256;
+inline constexpr std::size_t kMostMoved = 64;
 
 /// What makes a case smaller step by step: cheap, and enough to come from a large case to a small one.
 std::span<const PathPass> descent_passes();
@@ -47,7 +47,7 @@ bool lower_degree_inside(PathSearch& search);
 bool join_layers(PathSearch& search);
 /// Nothing subdivided in the outermost layers, with some empty ones more or not.
 bool clear_ends(PathSearch& search);
-/// The axes exchanged, with layers less at an end of the longest one.
+/// The axes exchanged, with a lower m or with layers less of the longest one.
 bool turn_and_cut(PathSearch& search);
 /// A higher m on a domain with a layer less.
 bool refine_and_cut(PathSearch& search);

@@ -6,6 +6,7 @@
 
 #include "lib/refine/replay.hpp"
 #include "lib/spline/perturbed_regions.hpp"
+#include "properties/describe.hpp"
 
 namespace asts {
 
@@ -216,6 +217,17 @@ std::vector<Box> new_supports(MeshUnderTest& mesh, std::int32_t k) {
 
 }  // namespace
 
+namespace {
+
+/// The proof speaks of slices that cut the active region: x = xi, strictly inside of K.
+bool slice_cuts_active_region(const RefinementTree& tree, std::int32_t element) {
+  const ElementInfo k = describe_tree_element(tree, element);
+  const int frame = (tree.setting().degree[0] + 1) / 2;
+  return k.box.lower[0] >= frame && k.box.upper[0] <= tree.setting().domain[0] - frame;
+}
+
+}  // namespace
+
 std::optional<std::int32_t> find_drawn_element(MeshUnderTest& mesh, const ProofFigure& figure) {
   const RefinementTree& tree = mesh.tree();
   const std::optional<int> margin = margin_of(tree.setting());
@@ -223,7 +235,8 @@ std::optional<std::int32_t> find_drawn_element(MeshUnderTest& mesh, const ProofF
   for (std::int32_t id = 0; id < tree.node_count(); ++id) {
     if (tree.node(id).level != kDrawnLevel || tree.is_leaf(id)) continue;
     const auto rectangle = rectangle_of(tree, id, *margin);
-    if (rectangle && equal(*rectangle, figure.element) && levels_as_drawn(tree, id, figure, *margin)) return id;
+    if (!rectangle || !equal(*rectangle, figure.element) || !slice_cuts_active_region(tree, id)) continue;
+    if (levels_as_drawn(tree, id, figure, *margin)) return id;
   }
   return std::nullopt;
 }

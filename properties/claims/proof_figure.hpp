@@ -43,7 +43,8 @@ ProofFigure correct_proof_figure();
 Case case_of_figure(const ProofFigure& figure, const PerAxis<int>& degree);
 
 /// The element K, as a node of the refinement tree, of a mesh that has the drawn levels on the slice through K's
-/// middle: the drawn squares in the middle of the domain, level 0 around them. Nothing if the mesh is another one.
+/// middle: the drawn squares in the middle of the domain, level 0 around them, the slice in the active region. Nothing
+/// if the mesh is another one.
 std::optional<std::int32_t> find_drawn_element(MeshUnderTest& mesh, const ProofFigure& figure);
 
 /// What is drawn, item by item, and whether the mesh has it: the levels (is the mesh admissible?), the patch, the

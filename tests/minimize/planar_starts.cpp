@@ -177,14 +177,17 @@ void add_beside_slice(Draw& draw, const FigurePlace& place, Case& figure) {
 }  // namespace
 
 // What the claim's own eye for the figure leaves open: p, the width of the frame, the number of layers along x, where K
-// lies among them, and all elements that the slice does not meet.
+// lies among those of the active region, and all elements that the slice does not meet.
 Case figure_start(Draw& draw) {
   const ProofFigure figure = drawn_proof_figure();
   const FigurePlace place{draw.between(0, 2), 0};
   Case result{{}, 2, {}, {}, false, {}};
   for (int& degree : result.degree) degree = 1 + 2 * draw.between(1, 3);
-  result.domain = {draw.between(1, 4), kFigureSquares[0] + 2 * place.margin, kFigureSquares[1] + 2 * place.margin};
-  const FigurePlace placed{place.margin, (Rational(draw.between(0, 2 * result.domain[0] - 1)) + Rational(1) / 2) / 2};
+  const int frame = (result.degree[0] + 1) / 2;
+  const int layers = 2 * frame + draw.between(1, 9 - 2 * frame);
+  result.domain = {layers, kFigureSquares[0] + 2 * place.margin, kFigureSquares[1] + 2 * place.margin};
+  const int half = draw.between(2 * frame, 2 * (layers - frame) - 1);
+  const FigurePlace placed{place.margin, (Rational(half) + Rational(1) / 2) / 2};
   for (int level = 0; level < 3; ++level) {
     add_level(draw, figure.levels[static_cast<std::size_t>(level)], level, placed, result);
   }
