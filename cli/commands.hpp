@@ -77,7 +77,8 @@ struct MinimizeOptions {
   std::string claim;
   std::string property;
   std::string out;
-  std::string others;
+  std::string collect;
+  std::string draw;
   std::string snippet;
   std::int64_t budget = 0;  ///< evaluations; 0: no bound
   bool prove = false;

@@ -172,7 +172,9 @@ class CommandLine {
     command->add_option("--claim", minimize_.claim, "the claim that it violates (asts claims)");
     command->add_option("--property", minimize_.property, "or the property (asts check)");
     command->add_option("--out", minimize_.out, "write the smallest case to this file, not to standard output");
-    command->add_option("--others", minimize_.others, "write cases that violate in another way to this folder");
+    command->add_option("--collect", minimize_.collect,
+                        "add the smallest case, and one of each other kind met on the way, to this collection");
+    command->add_option("--draw", minimize_.draw, "draw the slices of the smallest mesh that matter into this folder");
     command->add_option("--snippet", minimize_.snippet, "write the smallest case as a C++ program to this file");
     command->add_option("--budget", minimize_.budget, "evaluations of the claim at most; then the smallest so far")
         ->check(CLI::PositiveNumber);

@@ -10,9 +10,11 @@
 #include "cli/trial_chain.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "lib/refine/replay.hpp"
 #include "reports/case_snippet.hpp"
 #include "reports/collection.hpp"
 #include "reports/minimize_report.hpp"
+#include "reports/slice_svg.hpp"
 
 namespace asts::cli {
 
@@ -129,12 +131,40 @@ class Minimization {
   MinimizedReport report_;
 };
 
-void write_others(const std::string& folder, const MinimizedReport& report) {
-  if (folder.empty()) return;
-  for (const auto& [kind, other] : report.minimized.others) {
-    const std::string name = collection_name(report.statement.id(), kind, other);
-    OutputFile((std::filesystem::path(folder) / name).string()).finish(write_case(other));
+/// Adds the smallest case, and the first one of each other kind, to a collection.
+void collect(const std::string& folder, const MinimizedReport& report) {
+  const auto add = [&](const std::string& kind, const Case& test_case, const std::string& text) {
+    const std::string name = collection_name(report.statement.id(), kind, test_case);
+    OutputFile((std::filesystem::path(folder) / name).string()).finish(text);
+  };
+  add(report.minimized.kind, report.minimized.smallest, minimized_case_text(report));
+  for (const auto& [kind, other] : report.minimized.others) add(kind, other, write_case(other));
+}
+
+/// The slices that the witness is about; nothing for a sequence, whose meshes may be too large to be made.
+void draw(const std::string& folder, const MinimizedReport& report) {
+  if (report.statement.of_sequence()) return;
+  const auto write = [&](MeshUnderTest& mesh) {
+    const auto& witness = report.trial.verdict.witness;
+    for (const SlicePicture& picture : slice_pictures(mesh, witness ? &*witness : nullptr)) {
+      const std::string name = fmt::format("{}-{}-{}.svg", report.statement.id(), report.minimized.kind, picture.name);
+      OutputFile((std::filesystem::path(folder) / name).string()).finish(picture.svg);
+    }
+  };
+  const Case& smallest = report.minimized.smallest;
+  if (smallest.explicit_mesh) {
+    MeshUnderTest mesh(mesh_of(setting_of(smallest), smallest.elements));
+    write(mesh);
+    return;
   }
+  Replay replay(smallest);
+  while (!replay.done()) replay.advance();
+  MeshUnderTest mesh(replay.tree());
+  write(mesh);
+}
+
+void require_folder(const std::string& folder) {
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) throw InputError(folder + ": is no folder");
 }
 
 }  // namespace
@@ -144,9 +174,8 @@ int minimize(const MinimizeOptions& options) {
   const Input input = read_input(options.case_file);
   auto out = open_beside(options.out, options.case_file);
   auto snippet = open_beside(options.snippet, options.case_file);
-  if (!options.others.empty() && !std::filesystem::is_directory(options.others)) {
-    throw InputError(options.others + ": is no folder");
-  }
+  require_folder(options.collect);
+  require_folder(options.draw);
   MinimizedReport report;
   try {
     report = Minimization(options, statement).run(input.content);
@@ -161,7 +190,8 @@ int minimize(const MinimizeOptions& options) {
   } else if (!out) {
     print(text);
   }
-  write_others(options.others, report);
+  if (!options.collect.empty()) collect(options.collect, report);
+  if (!options.draw.empty()) draw(options.draw, report);
   warn(minimized_summary(report));
   switch (report.minimized.guarantee) {
     case Guarantee::interrupted:

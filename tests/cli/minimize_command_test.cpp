@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <set>
 #include <thread>
 
 #include "tests/cli/run_program.hpp"
@@ -106,25 +107,39 @@ TEST(MinimizeCommand, EndsWithinABudget) {
   EXPECT_EQ(run({"check", "--final", "--property", "dual-compatible", part}).exit_code, 1) << outcome.out;
 }
 
-TEST(MinimizeCommand, WritesOtherViolationsIntoACollection) {
+TEST(MinimizeCommand, AddsToACollection) {
   const TemporaryFolder folder;
   const std::string file = folder.write("boxes.case",
                                         "asts-case 1\ndegree 3 3 3\ngrading 2\ndomain 3 1 1\n"
                                         "element 0 0 0  1/3 1 1\nelement 1/3 0 0  1 1 1\nelement 1 0 0  2 1 1\n"
                                         "element 2 0 0  5/2 1 1\nelement 5/2 0 0  3 1/2 1\n"
                                         "element 5/2 1/2 0  3 1 1\n");
-  const std::string others = folder.path("others");
-  std::filesystem::create_directory(others);
-  const Outcome outcome = run({"minimize", file, "--property", "admissible", "--others", others});
+  const std::string collection = folder.path("collection");
+  std::filesystem::create_directory(collection);
+  const Outcome outcome = run({"minimize", file, "--property", "admissible", "--collect", collection});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out.find("coarser-in-patch"), std::string::npos) << outcome.out;
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(others)) {
-    EXPECT_TRUE(entry.path().filename().string().starts_with("admissible-coarser-in-patch-")) << entry.path();
-    ++files;
+  std::set<std::string> kinds;
+  for (const auto& entry : std::filesystem::directory_iterator(collection)) {
+    const std::string name = entry.path().filename().string();
+    kinds.insert(name.substr(0, name.size() - std::string("-0123456789abcdef.case").size()));
+    if (name.starts_with("admissible-outside-class")) EXPECT_EQ(content_of(entry.path().string()), outcome.out);
   }
-  EXPECT_EQ(files, 1U);
-  EXPECT_EQ(run({"replay", others}).exit_code, 0);
+  EXPECT_EQ(kinds, (std::set<std::string>{"admissible-coarser-in-patch", "admissible-outside-class"}));
+  EXPECT_EQ(run({"replay", collection}).exit_code, 0);
+}
+
+TEST(MinimizeCommand, DrawsTheSlicesOfTheSmallestMesh) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("large.case", kLarge);
+  EXPECT_EQ(run({"minimize", file, "--property", "dual-compatible", "--draw", folder.path("")}).exit_code, 0);
+  std::set<std::string> pictures;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path(""))) {
+    if (entry.path().extension() == ".svg") pictures.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(pictures, (std::set<std::string>{
+                          "dual-compatible-no-partial-overlap-x-2.svg", "dual-compatible-no-partial-overlap-y-2.svg",
+                          "dual-compatible-no-partial-overlap-z-2.svg", "dual-compatible-no-partial-overlap-z-3.svg"}));
 }
 
 // A case that takes some twenty seconds.
@@ -159,7 +174,7 @@ TEST(MinimizeCommand, RefusesWhatItCannotMinimize) {
   EXPECT_EQ(refusal({"--claim", "figure-slices"}), "asts: 'figure-slices' is about no case\n");
   EXPECT_NE(refusal({"--claim", "none"}).find("none"), std::string::npos);
   EXPECT_NE(refusal({"--property", "admissible", "--budget", "0"}).find("--budget"), std::string::npos);
-  EXPECT_NE(refusal({"--property", "admissible", "--others", folder.path("none")}).find("is no folder"),
+  EXPECT_NE(refusal({"--property", "admissible", "--collect", folder.path("none")}).find("is no folder"),
             std::string::npos);
 }
 

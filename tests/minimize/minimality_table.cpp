@@ -75,6 +75,13 @@ struct Column {
   }
 };
 
+/// Subdivisions (or boxes), domain and m.
+std::string minimized_size(const Minimized& result) {
+  const auto& [x, y, z] = result.smallest.domain;
+  return fmt::format("{}{} on {}x{}x{}, m = {}", result.size.subdivisions, result.size.boxes ? " boxes" : "", x, y, z,
+                     result.size.grading);
+}
+
 template <class Shrink>
 void measure(Column& column, const Shrink& shrink) {
   const auto begin = std::chrono::steady_clock::now();
