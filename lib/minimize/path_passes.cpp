@@ -263,7 +263,12 @@ bool reflect_axes(PathSearch& search) {
   for (std::size_t axes = 1; axes < std::size_t{1} << kDimension; ++axes) {
     PerAxis<bool> mirrored{};
     for (std::size_t axis = 0; axis < kDimension; ++axis) mirrored[axis] = (axes >> axis & 1) != 0;
-    any |= search.propose(reflected(from, mirrored));
+    const PathCase mirror_image = reflected(from, mirrored);
+    any |= search.propose(mirror_image);
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      const auto nearer = shifted(mirror_image, axis, -1);
+      any |= nearer && search.propose(*nearer);
+    }
   }
   return any;
 }
