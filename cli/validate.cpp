@@ -106,12 +106,19 @@ reference::Validation decide_property(reference::ClaimSubject& subject, const st
   return reference::validate_witness(subject.setting(), subject.mesh(), id, witness);
 }
 
+/// The version of reports/WITNESS.md that is decided here.
+constexpr int kKnownFormat = 1;
+
 class RecordValidator {
  public:
   RecordValidator(const Json& record, const std::string& file, const std::string& place)
       : record_(record), file_(file), place_(place) {}
 
+  /// Throws InputError for a version of the form that is not known; a record without one has version 1.
   std::vector<Finding> validate() {
+    if (record_.contains("witness_format") && record_.at("witness_format") != kKnownFormat) {
+      throw InputError("witness_format is " + record_.at("witness_format").dump() + ", and only 1 is known");
+    }
     if (record_.contains("properties")) add_all("property", record_.at("properties"), decide_property);
     if (record_.contains("claims")) add_all("claim", record_.at("claims"), reference::validate_claim_witness);
     return std::move(findings_);

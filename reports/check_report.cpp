@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/witness_json.hpp"
 #include "reports/witness_text.hpp"
 
@@ -17,6 +19,14 @@ std::string failure_text(const Statement& statement, const Verdict& verdict) {
   if (!verdict.witness) return result;
   return result + fmt::format("      it should be that {}; but\n", statement.statement) +
          witness_text(*verdict.witness);
+}
+
+bool has_witness(const CheckRecord& record) {
+  const auto violated = [](const Verdict& verdict) { return verdict.outcome == Outcome::violated; };
+  return std::any_of(record.entries.begin(), record.entries.end(),
+                     [&](const auto& entry) { return violated(entry.verdict); }) ||
+         std::any_of(record.claims.begin(), record.claims.end(),
+                     [&](const auto& entry) { return violated(entry.trial.verdict); });
 }
 
 }  // namespace
@@ -39,6 +49,7 @@ std::string check_json(const CheckRecord& record) {
     verdict["met"] = entry.trial.met;
     json["claims"][entry.claim->id] = verdict;
   }
+  if (has_witness(record)) json["witness_format"] = kWitnessFormat;
   if (!record.mesh_case.empty()) json["mesh"] = record.mesh_case;
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -118,6 +118,7 @@ std::string minimized_json(const MinimizedReport& report) {
   Json verdict = verdict_json(report.trial.verdict);
   if (report.statement.claim != nullptr) verdict["met"] = report.trial.met;
   json[report.statement.claim != nullptr ? "claims" : "properties"][report.statement.id()] = verdict;
+  json["witness_format"] = kWitnessFormat;
   json["mesh"] = write_case(minimized.smallest);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -48,6 +48,9 @@ Integer meshes_of(std::int64_t cubes, int grading, int subdivisions) {
   return subdivisions == 0 ? Integer(1) : product;
 }
 
+/// For a larger m the scope ends with the case's own degree, volume and m: meshes of that many elements take long.
+constexpr int kMostSurrounded = 16;
+
 /// Two cases of bare steps by the order of CaseSize and compare_numbers.
 class Smallest {
  public:
@@ -100,8 +103,11 @@ std::optional<ChosenScope> choose_scope(const Case& smallest, const CaseSize& si
   const int m = smallest.grading;
   for (std::int64_t subdivisions = std::min<std::int64_t>(size.subdivisions, 64); subdivisions >= 0; --subdivisions) {
     const int k = static_cast<int>(subdivisions);
-    for (const Scope& scope : {Scope{k, 2 * size.volume, degree + 2, m + 1}, Scope{k, size.volume, degree + 2, m + 1},
-                               Scope{k, size.volume, degree, m}}) {
+    std::vector<Scope> scopes{{k, size.volume, degree, m}};
+    if (m <= kMostSurrounded) {
+      scopes.insert(scopes.begin(), {{k, 2 * size.volume, degree + 2, m + 1}, {k, size.volume, degree + 2, m + 1}});
+    }
+    for (const Scope& scope : scopes) {
       if (count_meshes(scope, excluded, limit)) return ChosenScope{scope, subdivisions == size.subdivisions};
     }
   }

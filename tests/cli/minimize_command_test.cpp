@@ -83,7 +83,7 @@ TEST(MinimizeCommand, JsonSaysHowAndCanBeValidated) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto record = records_of(outcome.out).at(0);
   EXPECT_EQ(keys_of(record), (Names{"case", "property", "kind", "size", "guarantee", "evaluations", "proof", "last_run",
-                                    "others", "step", "elements", "properties", "mesh"}));
+                                    "others", "step", "elements", "properties", "witness_format", "mesh"}));
   EXPECT_EQ(record["size"]["subdivisions"], 2);
   EXPECT_EQ(record["size"]["domain"], (std::vector<int>{4, 4, 5}));
   EXPECT_EQ(record["elements"], 82);

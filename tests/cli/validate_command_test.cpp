@@ -84,6 +84,18 @@ TEST(ValidateCommand, DecidesWitnessesAboutLongSequences) {
   }
 }
 
+TEST(ValidateCommand, KnowsItsOwnVersionOfTheFormAlone) {
+  const TemporaryFolder folder;
+  ordered_json record = records_of(run({"check", "--format", "json", kBadMesh}).out)[0];
+  EXPECT_EQ(record["witness_format"], 1);
+  record["witness_format"] = 2;
+  const Outcome other = run({"validate", folder.write("other", record.dump())});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("witness_format is 2, and only 1 is known"), std::string::npos) << other.err;
+  record.erase("witness_format");
+  EXPECT_EQ(run({"validate", folder.write("none", record.dump())}).exit_code, 0);
+}
+
 struct Corruption {
   const char* pointer;  ///< into the record
   const char* value;    ///< JSON; empty: the key is removed
