@@ -43,17 +43,23 @@ std::vector<Row> all_rows() {
   return rows;
 }
 
-/// Elements subdivided in the last mesh; of an explicit mesh all its boxes, which may get fewer than the unit cubes.
+/// Elements subdivided in the last mesh, or, of an explicit mesh, all its boxes, which may get fewer than the unit
+/// cubes; then the domain's volume and m.
 struct Size {
   bool boxes;
   std::int64_t count;
+  std::int64_t volume;
+  int grading;
 
   friend auto operator<=>(const Size&, const Size&) = default;
 };
 
 Size shown_size(const Case& test_case) {
-  if (test_case.explicit_mesh) return {true, static_cast<std::int64_t>(test_case.elements.size())};
-  return {false, size_of(test_case)};
+  std::int64_t volume = 1;
+  for (const int side : test_case.domain) volume *= side;
+  const bool boxes = test_case.explicit_mesh;
+  const std::int64_t count = boxes ? static_cast<std::int64_t>(test_case.elements.size()) : size_of(test_case);
+  return {boxes, count, volume, test_case.grading};
 }
 
 /// What one of the two shrinkers did with a row's starts.
@@ -66,21 +72,19 @@ struct Column {
     std::sort(evaluations.begin(), evaluations.end());
     return evaluations[evaluations.size() / 2];
   }
+  /// At most four, the smallest first, and how many more there are.
   std::string sizes_text() const {
+    constexpr int kShown = 4;
     std::string text;
+    int shown = 0;
     for (const auto& [size, count] : sizes) {
-      text += (text.empty() ? "" : ", ") + fmt::format("{}{} ({})", size.count, size.boxes ? " boxes" : "", count);
+      if (shown++ == kShown) return text + fmt::format(", and {} more sizes", sizes.size() - kShown);
+      text += (text.empty() ? "" : ", ") +
+              fmt::format("{}{}/{}/{} ({})", size.count, size.boxes ? " boxes" : "", size.volume, size.grading, count);
     }
     return text;
   }
 };
-
-/// Subdivisions (or boxes), domain and m.
-std::string minimized_size(const Minimized& result) {
-  const auto& [x, y, z] = result.smallest.domain;
-  return fmt::format("{}{} on {}x{}x{}, m = {}", result.size.subdivisions, result.size.boxes ? " boxes" : "", x, y, z,
-                     result.size.grading);
-}
 
 template <class Shrink>
 void measure(Column& column, const Shrink& shrink) {
@@ -133,7 +137,8 @@ int main(int argc, char** argv) {
   const std::int64_t cap = argc > 2 ? std::stoll(argv[2]) : 20'000;
   const std::set<std::string> wanted(argv + std::min(argc, 3), argv + argc);
   fmt::print(
-      "| start | kind | sizes (how often) | guarantee | evaluations, median | most | s | rapidcheck: sizes | "
+      "| start | kind | subdivisions/volume/m (how often) | guarantee | evaluations, median | most | s | rapidcheck: "
+      "subdivisions/volume/m | "
       "median | s |\n|---|---|---|---|---|---|---|---|---|---|\n");
   for (const asts::Row& row : asts::all_rows()) {
     if (wanted.empty() || wanted.contains(row.name)) asts::print_row(row, seeds, cap);
