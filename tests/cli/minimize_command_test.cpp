@@ -123,7 +123,9 @@ TEST(MinimizeCommand, AddsToACollection) {
   for (const auto& entry : std::filesystem::directory_iterator(collection)) {
     const std::string name = entry.path().filename().string();
     kinds.insert(name.substr(0, name.size() - std::string("-0123456789abcdef.case").size()));
-    if (name.starts_with("admissible-outside-class")) EXPECT_EQ(content_of(entry.path().string()), outcome.out);
+    if (name.starts_with("admissible-outside-class")) {
+      EXPECT_EQ(content_of(entry.path().string()), outcome.out);
+    }
   }
   EXPECT_EQ(kinds, (std::set<std::string>{"admissible-coarser-in-patch", "admissible-outside-class"}));
   EXPECT_EQ(run({"replay", collection}).exit_code, 0);
