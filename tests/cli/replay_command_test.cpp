@@ -16,6 +16,13 @@ TEST(ReplayCommand, ReplaysTheFindings) {
   EXPECT_NE(outcome.out.find("as-implies-dc.case: as-implies-dc: violated (no-partial-overlap)\n"), std::string::npos);
 }
 
+TEST(ReplayCommand, ReplaysTheCollection) {
+  const Outcome outcome = run({"replay", kReports + "collection"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+  EXPECT_TRUE(lines_of(outcome.out).back().ends_with("cases are as recorded")) << outcome.out;
+  EXPECT_GE(lines_of(outcome.out).size(), 18U);
+}
+
 TEST(ReplayCommand, SaysWhatIsNotAsRecorded) {
   const TemporaryFolder folder;
   folder.write("as-implies-dc.case", "asts-case 1\ndegree 3 3 3\ngrading 2\ndomain 4 4 4\n");

@@ -41,7 +41,7 @@ TEST(SuitabilityClaims, NoDualBasisThoughAnalysisSuitable) {
   EXPECT_EQ(outcome("as-implies-dual-basis", *mesh), "violated");
   EXPECT_EQ(outcome("as-implies-dual-basis-repaired", *mesh), "not-applicable");
   EXPECT_EQ(outcome("dc-implies-dual-basis", *mesh), "not-applicable");
-  EXPECT_EQ((*mesh).dual_failures().failures, 3);
+  EXPECT_EQ((*mesh).dual_failures().failures, 2);
 }
 
 TEST(SuitabilityClaims, SupportsThatOnlyTouchKeepTheMeshCompatible) {
