@@ -51,6 +51,9 @@ Integer meshes_of(std::int64_t cubes, int grading, int subdivisions) {
 /// For a larger m the scope ends with the case's own degree, volume and m: meshes of that many elements take long.
 constexpr int kMostSurrounded = 16;
 
+/// What proves nothing is tried with less patience.
+constexpr std::int64_t kLessIfIncomplete = 10;
+
 /// Two cases of bare steps by the order of CaseSize and compare_numbers.
 class Smallest {
  public:
@@ -108,7 +111,10 @@ std::optional<ChosenScope> choose_scope(const Case& smallest, const CaseSize& si
       scopes.insert(scopes.begin(), {{k, 2 * size.volume, degree + 2, m + 1}, {k, size.volume, degree + 2, m + 1}});
     }
     for (const Scope& scope : scopes) {
-      if (count_meshes(scope, excluded, limit)) return ChosenScope{scope, subdivisions == size.subdivisions};
+      const bool complete = subdivisions == size.subdivisions;
+      if (count_meshes(scope, excluded, complete ? limit : limit / kLessIfIncomplete)) {
+        return ChosenScope{scope, complete};
+      }
     }
   }
   return std::nullopt;

@@ -31,7 +31,7 @@ std::optional<std::int64_t> count_meshes(const Scope& scope, const Excluded& exc
 
 /// The largest scope of a fixed list around a mesh of this size that has at most `limit` meshes. Those at the head of
 /// the list contain every smaller mesh of their settings; then it is `complete`. Behind them come scopes with fewer
-/// subdivisions.
+/// subdivisions, of at most a tenth of that.
 struct ChosenScope {
   Scope scope;
   bool complete = false;

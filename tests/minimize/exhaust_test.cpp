@@ -68,11 +68,17 @@ TEST(Exhaust, ChoosesTheLargestScopeThatFits) {
   EXPECT_EQ(chosen->scope.volume, 6);
   EXPECT_EQ(chosen->scope.degree, 5);
   EXPECT_EQ(chosen->scope.grading, 3);
-  const auto less = choose_scope(smallest, size, kNone, 40);
+  Case wide = smallest;
+  wide.domain = {3, 3, 4};
+  const CaseSize wide_size = size_of_mesh(mesh_paths(wide).value());
+  const std::int64_t complete = count_meshes({2, 36, 3, 2}, kNone, 1'000'000'000).value();
+  EXPECT_TRUE(choose_scope(wide, wide_size, kNone, complete)->complete);
+  const auto less = choose_scope(wide, wide_size, kNone, complete - 1);
   ASSERT_TRUE(less);
   EXPECT_FALSE(less->complete);
   EXPECT_EQ(less->scope.subdivisions, 1);
-  EXPECT_FALSE(choose_scope(smallest, size, kNone, 1));
+  EXPECT_LE(count_meshes(less->scope, kNone, complete).value(), complete / 10);
+  EXPECT_FALSE(choose_scope(smallest, size, kNone, 10));
 }
 
 }  // namespace
