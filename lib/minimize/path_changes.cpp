@@ -171,4 +171,11 @@ std::optional<PathCase> one_level_lower(const PathCase& mesh) {
   return result;
 }
 
+PathCase with_children_mirrored(const PathCase& paths) {
+  return map_paths(paths, [m = paths.setting.grading](ElementPath path) -> std::optional<ElementPath> {
+    for (std::size_t i = kDimension; i < path.size(); ++i) path[i] = m - 1 - path[i];
+    return path;
+  });
+}
+
 }  // namespace asts

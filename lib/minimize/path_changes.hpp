@@ -49,6 +49,9 @@ std::optional<PathCase> shifted(const PathCase& paths, Axis axis, int layers);
 /// The domain in a mirror: x -> X~ - x along each axis that is set.
 PathCase reflected(const PathCase& paths, const PerAxis<bool>& axes);
 
+/// The children of every element in reverse order.
+PathCase with_children_mirrored(const PathCase& paths);
+
 /// Domain, degree and unit cubes with axis a of the result taken from axis order[a]. The children's numbers stay, so
 /// that it is another mesh, as levels fix the axes of subdivisions (Definition 2.6).
 PathCase permuted(const PathCase& paths, const PerAxis<Axis>& order);

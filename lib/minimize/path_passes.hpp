@@ -22,8 +22,9 @@ std::span<const PathPass> descent_passes();
 /// What leads out of a case that none of these makes smaller.
 std::span<const PathPass> escape_passes();
 
-bool drop_elements(PathSearch& search);  ///< subdivided elements with all below them; steps and marks of a sequence
+bool drop_elements(PathSearch& search);  ///< items of a mesh with all below them; steps and marks of a sequence
 bool drop_layers(PathSearch& search);    ///< layers of the domain, on either side and between
+bool drop_frame(PathSearch& search);     ///< the outermost layers across one axis or some
 bool lower_degrees(PathSearch& search);  ///< by 2, with and without a layer of the frame on each side
 bool lower_grading(PathSearch& search);  ///< m
 bool permute_axes(PathSearch& search);
