@@ -131,11 +131,21 @@ class Minimization {
   MinimizedReport report_;
 };
 
+/// Writes a file of a folder, but never the input: a case of the collection may be minimized for it again.
+void write_beside(const std::filesystem::path& file, const std::string& text, const std::string& input) {
+  std::error_code error;
+  if (std::filesystem::equivalent(file, input, error)) {
+    warn("asts: " + file.string() + ": is the case that was minimized, and left as it is\n");
+  } else {
+    OutputFile(file.string()).finish(text);
+  }
+}
+
 /// Adds the smallest case, and the first one of each other kind, to a collection.
 void collect(const std::string& folder, const MinimizedReport& report) {
   const auto add = [&](const std::string& kind, const Case& test_case, const std::string& text) {
     const std::string name = collection_name(report.statement.id(), kind, test_case);
-    OutputFile((std::filesystem::path(folder) / name).string()).finish(text);
+    write_beside(std::filesystem::path(folder) / name, text, report.case_name);
   };
   add(report.minimized.kind, report.minimized.smallest, minimized_case_text(report));
   for (const auto& [kind, other] : report.minimized.others) add(kind, other, write_case(other));
@@ -148,7 +158,7 @@ void draw(const std::string& folder, const MinimizedReport& report) {
     const auto& witness = report.trial.verdict.witness;
     for (const SlicePicture& picture : slice_pictures(mesh, witness ? &*witness : nullptr)) {
       const std::string name = fmt::format("{}-{}-{}.svg", report.statement.id(), report.minimized.kind, picture.name);
-      OutputFile((std::filesystem::path(folder) / name).string()).finish(picture.svg);
+      write_beside(std::filesystem::path(folder) / name, picture.svg, report.case_name);
     }
   };
   const Case& smallest = report.minimized.smallest;

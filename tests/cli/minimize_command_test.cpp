@@ -131,6 +131,16 @@ TEST(MinimizeCommand, AddsToACollection) {
   EXPECT_EQ(run({"replay", collection}).exit_code, 0);
 }
 
+TEST(MinimizeCommand, LeavesACaseOfTheCollectionAsItIs) {
+  const TemporaryFolder folder;
+  const std::string commented = "# my own words\n" + kLeast.substr(kLeast.find("asts-case"));
+  const std::string file = folder.write("as-implies-dc-no-partial-overlap-f06d209a3685d197.case", commented);
+  const Outcome outcome = run({"minimize", file, "--claim", "as-implies-dc", "--collect", folder.path("")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(content_of(file), commented);
+  EXPECT_NE(outcome.err.find("left as it is"), std::string::npos) << outcome.err;
+}
+
 TEST(MinimizeCommand, DrawsTheSlicesOfTheSmallestMesh) {
   const TemporaryFolder folder;
   const std::string file = folder.write("large.case", kLarge);
