@@ -68,8 +68,7 @@ std::string verdict_line(const Statement& statement, const Verdict& verdict, For
 }
 
 void refuse_input_as_output(const std::string& case_file, const std::string& file) {
-  std::error_code missing;
-  if (fs::equivalent(case_file, file, missing)) throw InputError(file + ": is the case itself");
+  if (same_file(case_file, file)) throw InputError(file + ": is the case itself");
 }
 
 int draw_mesh(const DrawOptions& options, const std::optional<Statement>& statement, const Case& test_case,

@@ -33,8 +33,7 @@ Statement statement_named(const MinimizeOptions& options) {
 /// Opens a file that must not be the input.
 std::optional<OutputFile> open_beside(const std::string& path, const std::string& input) {
   if (path.empty()) return std::nullopt;
-  std::error_code error;
-  if (std::filesystem::equivalent(path, input, error)) throw InputError(path + ": is the case that is to be minimized");
+  if (same_file(path, input)) throw InputError(path + ": is the case that is to be minimized");
   return std::optional<OutputFile>(std::in_place, path);
 }
 
@@ -133,8 +132,7 @@ class Minimization {
 
 /// Writes a file of a folder, but never the input: a case of the collection may be minimized for it again.
 void write_beside(const std::filesystem::path& file, const std::string& text, const std::string& input) {
-  std::error_code error;
-  if (std::filesystem::equivalent(file, input, error)) {
+  if (same_file(file.string(), input)) {
     warn("asts: " + file.string() + ": is the case that was minimized, and left as it is\n");
   } else {
     OutputFile(file.string()).finish(text);

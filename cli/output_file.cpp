@@ -21,6 +21,11 @@ bool is_special(const std::string& path) {
 
 }  // namespace
 
+bool same_file(const std::string& path, const std::string& other) {
+  std::error_code missing;
+  return std::filesystem::equivalent(path, other, missing);
+}
+
 OutputFile::OutputFile(const std::string& path)
     : path_(path), written_(is_special(path) ? path : path + ".part" + std::to_string(getpid())) {
   if (std::filesystem::is_directory(path)) throw InputError(path + ": cannot be written: is a directory");

@@ -5,6 +5,9 @@
 
 namespace asts::cli {
 
+/// Whether two paths lead to one file that is there, by whatever links: what is read must not be written over.
+bool same_file(const std::string& path, const std::string& other);
+
 /// A file that appears whole or not at all: it is written beside its place and renamed at the end, so that an interrupt
 /// never leaves half a file, nor harms an old one. A device or a pipe is written to directly.
 class OutputFile {

@@ -39,7 +39,8 @@ struct Minimized {
 /// From a case that violates to a small one that violates in the same way, smaller by CaseSize and compare_numbers.
 /// `form` says whether the predicate looks at the last mesh or at the steps of a case of steps.
 ///
-/// First the sequence is cut behind its first violating mesh. Then passes propose smaller cases until none of them
+/// First the sequence is cut behind its first violating mesh (of more than 32 steps: behind one before which a mesh does
+/// not violate, found by halving). Then passes propose smaller cases until none of them
 /// finds one: subdivisions, steps, marks or boxes are left out in chunks, layers of the domain are taken away, degrees
 /// and m are lowered, axes permuted and reflected, marks moved towards the origin; at the end also cases in a larger
 /// setting that need fewer subdivisions.

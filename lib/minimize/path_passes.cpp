@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/mesh/reflection.hpp"
 #include "lib/minimize/path_changes.hpp"
 
 namespace asts {
@@ -142,9 +143,7 @@ bool move_to_origin(PathSearch& search) {
 bool reflect_axes(PathSearch& search) {
   bool any = false;
   const PathCase from = search.current();
-  for (std::size_t axes = 1; axes < std::size_t{1} << kDimension; ++axes) {
-    PerAxis<bool> mirrored{};
-    for (std::size_t axis = 0; axis < kDimension; ++axis) mirrored[axis] = (axes >> axis & 1) != 0;
+  for (const PerAxis<bool>& mirrored : reflections()) {
     const PathCase mirror_image = reflected(from, mirrored);
     any |= search.propose(mirror_image);
     for (Axis axis = 0; axis < kDimension; ++axis) {

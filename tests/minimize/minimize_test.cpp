@@ -88,6 +88,28 @@ TEST(Minimize, GivesASmallerViolationThatStaysAsItIs) {
   EXPECT_GT(tried, 50);
 }
 
+// Law (4), for steps and for boxes: what is asked about can be read back and replayed, or built.
+TEST(Minimize, AsksAboutValidCasesAlone) {
+  const Statement statement = find_statement("dual-compatible").value();
+  std::int64_t asked = 0;
+  const Predicate predicate = [&](const Case& c) {
+    ++asked;
+    EXPECT_EQ(parse_case(write_case(c), "asked"), c);
+    return violation_of(statement, c);
+  };
+  int violating = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    Draw draw(seed);
+    const Case start = seed % 2 == 0 ? random_start(seed) : random_box_case(draw, CaseLimits{}).content;
+    if (!violation_of(statement, start)) continue;
+    SCOPED_TRACE(write_case(start));
+    EXPECT_NO_THROW(minimized(start, predicate));
+    ++violating;
+  }
+  EXPECT_GT(violating, 10);
+  EXPECT_GT(asked, 1000);
+}
+
 TEST(Minimize, KeepsTheKindAndReportsOthers) {
   const Predicate predicate = [](const Case& c) -> ViolationKind {
     if (level_of_last_mesh(c) >= 3) return "deep";

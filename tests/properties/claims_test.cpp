@@ -6,7 +6,7 @@
 #include <set>
 
 #include "lib/mesh/case_file.hpp"
-#include "lib/refine/replay.hpp"
+#include "properties/statement.hpp"
 #include "tests/properties/claim_checks.hpp"
 
 namespace asts {
@@ -42,19 +42,6 @@ std::vector<Confirmation> all_confirmations() {
 /// The counterexample of a finding, as the findings' folder has it.
 Case counterexample_of(const Claim& claim) {
   return read_case_file((kFindings / (std::string(claim.id) + ".case")).string());
-}
-
-/// No mesh is built for a claim that is not about one: it may be too large.
-Trial try_on_last_mesh(const Claim& claim, const Case& test_case) {
-  if (claim.on_mesh == nullptr) return {Verdict::not_applicable("not a statement about one mesh")};
-  if (test_case.explicit_mesh) {
-    MeshUnderTest mesh(mesh_of(setting_of(test_case), test_case.elements));
-    return try_on_mesh(claim, mesh);
-  }
-  Replay replay(test_case);
-  while (!replay.done()) replay.advance();
-  MeshUnderTest mesh(replay.tree());
-  return try_on_mesh(claim, mesh);
 }
 
 bool violated(const Trial& trial) { return trial.verdict.outcome == Outcome::violated; }
@@ -108,8 +95,7 @@ TEST(Claims, ThatAreRefutedHaveAConfirmedCounterexample) {
     if (!claim.refuted) continue;
     EXPECT_TRUE(std::filesystem::exists(kFindings / (std::string(claim.id) + ".md"))) << claim.id;
     const Case counterexample = counterexample_of(claim);
-    EXPECT_TRUE(violated(try_on_last_mesh(claim, counterexample)) || violated(try_on_sequence(claim, counterexample)))
-        << claim.id;
+    EXPECT_TRUE(violated(try_on_case({&claim, nullptr}, counterexample))) << claim.id;
     int confirmed = 0;
     for (const Confirmation& confirmation : confirmations) {
       if (std::string(confirmation.claim) == claim.id) confirmed += confirmation.refutes(counterexample);
