@@ -26,7 +26,8 @@ const std::map<std::string, Names> kArrows{
     {"lib/gen", {"lib/exact/", "lib/mesh/", "lib/refine/", "lib/gen/"}},
     {"properties", {"lib/", "properties/"}},
     {"reports", {"lib/", "properties/", "reports/"}},
-    {"cli", {"lib/", "properties/", "reports/", "cli/", "tests/reference/"}},
+    {"fuzz", {"lib/", "properties/", "reports/", "fuzz/", "tests/reference/"}},
+    {"cli", {"lib/", "properties/", "reports/", "fuzz/", "cli/", "tests/reference/"}},
     {"tests/reference", {"lib/exact/rational.hpp", "tests/reference/"}},
 };
 
