@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lib/mesh/fingerprint.hpp"
-#include "properties/ledger/record.hpp"
+#include "properties/ledger/trials.hpp"
 
 namespace asts {
 
@@ -31,10 +31,7 @@ std::int64_t cases_for(const Claim& claim, Extent extent);
 /// The run: random cases are made once and handed to all claims that want them.
 ///
 /// A case of steps gives a mesh after each step, and the whole sequence. A mesh that occurred before is left out, so
-/// that every mesh is tried once; a claim gets the meshes of its class (Claim::meshes: admissible ones for "a", those
-/// that subdivisions make for "r", all for "e" or when no class is named) with up to Claim::max_elements elements, and
-/// of these one in Claim::stride, chosen by the mesh's fingerprint. Sequences of `refine` steps go to on_sequence
-/// likewise.
+/// that every mesh is tried once, by the claims that Trials chooses. Sequences of `refine` steps go to on_sequence.
 ///
 /// Laws (tests/properties/ledger_test.cpp): (1) the same plan gives the same records; (2) the merged records of all
 /// shares are the records of the whole, however many shares there are.
@@ -42,6 +39,8 @@ class Ledger {
  public:
   /// `describe` gives the words for a violation.
   Ledger(LedgerPlan plan, std::string (*describe)(const Verdict&));
+  Ledger(const Ledger&) = delete;
+  Ledger& operator=(const Ledger&) = delete;
 
   /// Called before each piece of work, for progress: what is tried, a claim's id or "cases", and how much of it is
   /// done. May throw, which ends the run: the records stay.
@@ -50,24 +49,19 @@ class Ledger {
   void run(const Watch& watch);
 
   /// In the order of the plan's claims.
-  const std::vector<LedgerRecord>& records() const { return records_; }
+  const std::vector<LedgerRecord>& records() const { return trials_.records(); }
   /// The time that each claim took, in that order: for setting Claim::stride, not for results.
-  const std::vector<std::chrono::nanoseconds>& times() const { return times_; }
+  const std::vector<std::chrono::nanoseconds>& times() const { return trials_.times(); }
 
  private:
-  struct Subject;
-
+  bool has_cases_for(std::size_t place, std::int64_t number) const { return number < cases_[place]; }
   void try_case(std::int64_t number);
-  void try_sequence(Subject& subject);
-  void try_mesh(Subject& subject, MeshUnderTest& mesh);
-  Trial timed(std::size_t place, const Subject* subject, const std::function<Trial()>& decide);
-  void count(std::size_t place, const Trial& trial, Subject* subject, MeshUnderTest* mesh);
+  void try_mesh(TrialSubject& subject, MeshUnderTest& mesh);
 
   LedgerPlan plan_;
-  std::string (*describe_)(const Verdict&);
   std::vector<std::int64_t> cases_;
-  std::vector<LedgerRecord> records_;
-  std::vector<std::chrono::nanoseconds> times_;
+  std::int64_t number_ = 0;  ///< of the case that is being tried
+  Trials trials_;
   std::unordered_set<Fingerprint, FingerprintHash> seen_;
 };
 
