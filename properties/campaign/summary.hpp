@@ -27,7 +27,8 @@ struct CampaignFinding {
   std::string kind;
   /// A violation of a claim that is refuted already. Nothing else is expected.
   bool expected = false;
-  std::int64_t number = 0;      ///< of the first case that led to it; -1 when the claim was tried alone
+  /// Of the first case that led to it; below 0: -1 minus its place among the stored cases; none: tried without a case.
+  std::optional<std::int64_t> number;
   std::int64_t step = 0;        ///< of that case: how many steps make the mesh
   std::optional<Case> content;  ///< minimized, or as drawn when `minimized` is missing
   std::optional<FindingSize> minimized;

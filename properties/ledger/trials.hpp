@@ -20,8 +20,9 @@ struct TrialSubject {
 
   std::int64_t number;
   const Case& whole;
-  const char* bias;      ///< what the case was drawn to provoke
-  std::size_t step = 0;  ///< how many of its steps make the mesh
+  const char* bias;             ///< what the case was drawn to provoke
+  const Claim* only = nullptr;  ///< the claim that the case was made for: no other one is tried
+  std::size_t step = 0;         ///< how many of its steps make the mesh
   Fingerprint fingerprint{};
   std::int64_t elements = 0;
   LedgerBounds bounds{};
