@@ -91,6 +91,20 @@ struct ReplayOptions {
   Format format = Format::text;
 };
 
+struct CampaignOptions {
+  std::vector<std::string> claims;
+  std::optional<std::int64_t> cases;
+  std::optional<std::int64_t> seconds;
+  std::optional<std::uint64_t> seed;
+  int jobs = 1;
+  std::string folder;
+  bool resume = false;
+  std::int64_t timeout = 60;   ///< seconds
+  std::int64_t memory = 4096;  ///< MB
+  std::string replayed;        ///< the folder of a collection
+  Format format = Format::text;
+};
+
 struct ValidateOptions {
   std::vector<std::string> files;
   Format format = Format::text;
@@ -98,6 +112,7 @@ struct ValidateOptions {
 
 /// Each command writes its results to stdout and returns the exit code. Input errors are thrown as InputError before
 /// anything is written.
+int campaign(const CampaignOptions& options);
 int check(const CheckOptions& options);
 int claims(const ClaimsOptions& options);
 int draw(const DrawOptions& options);

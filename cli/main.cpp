@@ -62,6 +62,7 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "asts " ASTS_VERSION);
     app_.set_help_flag("--help,-h", "show this text");
+    add_campaign();
     add_check();
     add_claims();
     add_draw();
@@ -85,6 +86,27 @@ class CommandLine {
   }
 
  private:
+  void add_campaign() {
+    CLI::App* command = app_.add_subcommand("campaign", "try claims on random cases, for long, and keep what is found");
+    command->add_option("--claim", campaign_.claims, "this claim is expected to hold (asts claims); may be given again")
+        ->allow_extra_args(false);
+    auto* cases = command->add_option("--cases", campaign_.cases, "how many random cases")->check(CLI::PositiveNumber);
+    command->add_option("--time", campaign_.seconds, "instead: as many as fit into so many seconds")
+        ->check(CLI::PositiveNumber)
+        ->excludes(cases);
+    command->add_option("--seed", campaign_.seed, "one seed, one result");
+    command->add_option("--jobs", campaign_.jobs, "processes at the same time; the result does not depend on it")
+        ->check(CLI::Range(1, 1024));
+    command->add_option("--out", campaign_.folder, "the folder that records the campaign");
+    command->add_flag("--resume", campaign_.resume, "go on where the folder's records end");
+    command->add_option("--timeout", campaign_.timeout, "seconds that a claim may take on one mesh")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--memory", campaign_.memory, "MB that a process may take")->check(CLI::Range(64, 1 << 24));
+    command->add_option("--replay", campaign_.replayed, "decide the cases of this collection first (asts replay)");
+    add_format(*command, campaign_.format);
+    command->callback([this] { chosen_ = [this] { return campaign(campaign_); }; });
+  }
+
   void add_check() {
     CLI::App* command = app_.add_subcommand("check", "decide properties of every mesh of a case");
     command->add_option("CASE", check_.cases, "case files, or - for standard input")->required();
@@ -200,6 +222,7 @@ class CommandLine {
   }
 
   CLI::App app_{"Decides statements about three-dimensional analysis-suitable T-splines, exactly.", "asts"};
+  CampaignOptions campaign_;
   CheckOptions check_;
   ClaimsOptions claims_;
   DrawOptions draw_;

@@ -1,0 +1,102 @@
+#include "fuzz/campaign/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/collected_cases.hpp"
+#include "cli/commands.hpp"
+#include "cli/statements.hpp"
+#include "cli/terminal.hpp"
+#include "lib/exact/errors.hpp"
+
+namespace asts::cli {
+
+namespace {
+
+/// When neither a number nor a time is asked for.
+constexpr std::int64_t kUsualCases = 2000;
+
+std::vector<StoredCase> stored_cases(const std::string& folder, const std::vector<const Claim*>& claims) {
+  std::vector<StoredCase> stored;
+  if (folder.empty()) return stored;
+  for (CollectedCase& collected : read_collection(folder)) {
+    const Claim* claim = collected.about.statement.claim;
+    if (std::find(claims.begin(), claims.end(), claim) == claims.end()) continue;
+    stored.push_back({collected.name, claim, collected.about.kind, std::move(collected.content)});
+  }
+  return stored;
+}
+
+CampaignPlan plan_of(const CampaignOptions& options) {
+  CampaignPlan plan;
+  plan.version = ASTS_VERSION;
+  plan.claims = chosen_claims(options.claims);
+  if (plan.claims.empty()) {
+    for (const Claim& claim : all_claims()) plan.claims.push_back(&claim);
+  }
+  plan.seed = options.seed.value_or(plan.seed);
+  plan.stored = stored_cases(options.replayed, plan.claims);
+  return plan;
+}
+
+/// What was begun, when that is what is asked for: what is not said again stays as it was.
+CampaignPlan resumed_plan(const CampaignOptions& options, const CampaignPlan& begun) {
+  CampaignOptions asked = options;
+  if (asked.claims.empty()) {
+    for (const Claim* claim : begun.claims) asked.claims.emplace_back(claim->id);
+  }
+  if (!asked.seed) asked.seed = begun.seed;
+  CampaignPlan plan = plan_of(asked);
+  if (asked.replayed.empty()) plan.stored = begun.stored;
+  if (plan == begun) return plan;
+  throw InputError(options.folder + ": was begun by another version, or with other claims, seed or stored cases");
+}
+
+std::int64_t cases_of(const CampaignOptions& options, const RunDirectory* folder) {
+  if (options.seconds) return 0;
+  const bool begun = folder != nullptr && folder->begun();
+  const std::int64_t usual = begun ? folder->begun()->cases : kUsualCases;
+  if (!options.cases && usual == 0) throw InputError("--resume of a campaign for a time needs --cases or --time");
+  return options.cases.value_or(usual);
+}
+
+CampaignRun run_of(const CampaignOptions& options, const RunDirectory* folder) {
+  CampaignRun run;
+  run.cases = cases_of(options, folder);
+  if (options.seconds) run.time = std::chrono::seconds(*options.seconds);
+  run.jobs = options.jobs;
+  run.limits = {options.timeout, options.memory};
+  run.stop = interrupted;
+  run.progress = show_progress;
+  return run;
+}
+
+/// A violation of what was expected to hold: of a claim that is not refuted, or that was named.
+bool is_violation(const CampaignFinding& finding, const CampaignOptions& options) {
+  return !finding.expected || !options.claims.empty();
+}
+
+}  // namespace
+
+int campaign(const CampaignOptions& options) {
+  std::optional<RunDirectory> folder;
+  if (options.resume && options.folder.empty()) throw InputError("--resume needs --out");
+  if (!options.folder.empty()) folder.emplace(options.folder, options.resume);
+  RunDirectory* recorded = folder ? &*folder : nullptr;
+  const CampaignPlan plan = folder && folder->begun() ? resumed_plan(options, folder->begun()->plan) : plan_of(options);
+  const CampaignResult result = run_campaign(plan, run_of(options, recorded), recorded);
+  show_progress({});
+  for (const CampaignFinding& finding : result.summary.findings) {
+    print(fmt::format("{} {} {} {} {}\n", finding.claim, finding.kind, finding.file, finding.valid.value_or(false),
+                      finding.minimized ? finding.minimized->size.subdivisions : -1));
+  }
+  const auto& findings = result.summary.findings;
+  if (result.interrupted) return kInterrupted;
+  if (std::any_of(findings.begin(), findings.end(), [&](const auto& one) { return is_violation(one, options); })) {
+    return kViolated;
+  }
+  return kHolds;
+}
+
+}  // namespace asts::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "fuzz/campaign/run_directory.hpp"
+#include "fuzz/campaign/worker.hpp"
+
+namespace asts {
+
+/// How a campaign is run: nothing here changes what it finds in a number of cases.
+struct CampaignRun {
+  std::int64_t cases = 0;                    ///< how many random cases; 0: as many as fit into the time
+  std::optional<std::chrono::seconds> time;  ///< after which no block is begun
+  int jobs = 1;                              ///< workers at the same time
+  WorkerLimits limits;
+  std::function<bool()> stop;                             ///< asked often; true ends the campaign as soon as possible
+  std::function<void(const std::string& line)> progress;  ///< a line for a person, a few times a second
+};
+
+struct CampaignTimes {
+  std::int64_t total = 0;    ///< microseconds of all workers
+  std::int64_t slowest = 0;  ///< of the slowest case
+  std::int64_t slowest_number = 0;
+};
+
+struct CampaignResult {
+  CampaignSummary summary;
+  CampaignTimes times;
+  bool interrupted = false;
+};
+
+/// Runs a campaign, and records it in a folder if there is one; goes on where the folder's records end. The summary
+/// depends on the plan and the number of cases that were done alone: not on jobs, interrupts and resumes, nor, as far
+/// as each case either always comes back within its limits or never does, on the machine.
+/// REQUIRES: this process has no other threads; the folder has begun this plan, or none.
+/// Throws ResourceError when no process can be started or the folder cannot be written.
+/// Laws (tests/fuzz/campaign_test.cpp): (1) any number of jobs gives the same summary and the same files; (2) so does a
+/// campaign that is killed at any moment and resumed; (3) a case that crashes, hangs, or takes too much memory is a
+/// finding, and all other cases are tried; (4) each distinct mesh is tried once.
+CampaignResult run_campaign(const CampaignPlan& plan, const CampaignRun& run, RunDirectory* folder);
+
+}  // namespace asts

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "properties/statement.hpp"
+
+namespace asts {
+
+/// How code ended that ran in a process of its own.
+struct Ending {
+  /// Empty when it came back; else "crash", "timeout", "memory" or "exception".
+  std::string kind;
+  std::string says;  ///< the signal, or what the exception said
+};
+
+/// How a process ended, by its status from waitpid. REQUIRES: it ended.
+Ending ending_of(int status);
+
+/// For a child process: runs `work` and ends the process so that ending_of() tells what happened. `thrown` is told what
+/// an exception says. Never returns.
+[[noreturn]] void run_and_exit(const std::function<void()>& work,
+                               const std::function<void(const std::string&)>& thrown);
+
+/// Whether an ending is likely to come again, and soon: "timeout" takes its time.
+bool can_be_tried_again(const std::string& kind);
+
+/// Decides a statement for a case in a process of its own; `kind` if it ends so, else nothing.
+/// Cost: that of a fork more than the decision; an ending takes at most a minute.
+std::optional<std::string> death_of(const Statement& statement, const Case& test_case, const std::string& kind);
+
+}  // namespace asts

@@ -1,0 +1,120 @@
+#include "fuzz/campaign/journal.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "lib/exact/errors.hpp"
+
+namespace asts {
+
+namespace {
+
+constexpr std::string_view kSealBegin = ",\"check\":\"";
+constexpr std::string_view kSealEnd = "\"}";
+constexpr std::size_t kDigits = 16;
+
+std::uint64_t fnv1a(std::string_view bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325ULL;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3ULL;
+  return hash;
+}
+
+/// Writes all of it; false when that cannot be done.
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return fdatasync(file) == 0;
+}
+
+std::string reason() { return std::strerror(errno); }
+
+}  // namespace
+
+std::string sealed(std::string_view object) {
+  ensure(object.size() > 2 && object.back() == '}', "an object is sealed");
+  object.remove_suffix(1);
+  return fmt::format("{}{}{:016x}{}", object, kSealBegin, fnv1a(object), kSealEnd);
+}
+
+std::optional<std::string> unsealed(std::string_view line) {
+  const std::size_t seal = kSealBegin.size() + kDigits + kSealEnd.size();
+  if (line.size() <= seal) return std::nullopt;
+  const std::string_view object = line.substr(0, line.size() - seal);
+  const std::string whole = std::string(object) + "}";
+  return sealed(whole) == line ? std::optional(whole) : std::nullopt;
+}
+
+JournalContent read_journal(const std::string& path) {
+  JournalContent content;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return content;
+  std::size_t number = 0;
+  std::size_t damaged = 0;
+  std::uint64_t end = 0;
+  for (std::string line; std::getline(file, line) && !file.eof();) {
+    ++number;
+    end += line.size() + 1;
+    auto object = unsealed(line);
+    if (object && damaged > 0) throw InputError(fmt::format("{}:{}: the record is damaged", path, damaged));
+    if (!object) {
+      damaged = damaged > 0 ? damaged : number;
+      continue;
+    }
+    content.objects.push_back(std::move(*object));
+    content.ends.push_back(end);
+  }
+  return content;
+}
+
+Journal::Journal(std::string path, std::uint64_t bytes)
+    : path_(std::move(path)), file_(open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)) {
+  if (file_ < 0) throw InputError(path_ + ": cannot be opened: " + reason());
+  if (ftruncate(file_, static_cast<off_t>(bytes)) != 0 || lseek(file_, 0, SEEK_END) < 0) {
+    const std::string why = reason();
+    close(file_);
+    throw InputError(path_ + ": cannot be continued: " + why);
+  }
+}
+
+Journal::~Journal() { close(file_); }
+
+void Journal::append(std::string_view object) {
+  if (!write_all(file_, sealed(object) + "\n")) throw ResourceError(path_ + ": cannot be written: " + reason());
+}
+
+void replace_file(const std::string& path, std::string_view content) {
+  const std::string written = path + ".part";
+  const int file = open(written.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const bool complete = file >= 0 && write_all(file, content);
+  if (file >= 0) close(file);
+  if (!complete || std::rename(written.c_str(), path.c_str()) != 0) {
+    throw ResourceError(path + ": cannot be written: " + reason());
+  }
+}
+
+FolderLock::FolderLock(const std::string& folder)
+    : file_(open((folder + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  // a lock of this kind belongs to the process, not to the file that its children inherit
+  struct flock lock = {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  if (file_ < 0) throw InputError(folder + ": cannot be written to: " + reason());
+  if (fcntl(file_, F_SETLK, &lock) != 0) {
+    close(file_);
+    throw InputError(folder + ": another campaign is writing to it");
+  }
+}
+
+FolderLock::~FolderLock() { close(file_); }
+
+}  // namespace asts

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "fuzz/campaign/journal.hpp"
+#include "fuzz/campaign/state.hpp"
+#include "fuzz/campaign/unit_work.hpp"
+
+namespace asts {
+
+/// A campaign's folder. Journals of sealed lines (journal.hpp), each complete or not there at all:
+///   units.jsonl     first the plan, then a record for each unit, in their order;
+///   findings.jsonl  the findings, in theirs; `asts validate` reads them;
+///   times.jsonl     how long units took: for people; nothing else depends on it.
+/// Besides findings/*.case, and at the end what render_files() of the caller gives. What stands there is a function of
+/// the plan and the number of cases, but for times.jsonl and lock.
+class RunDirectory {
+ public:
+  /// Makes the folder if there is none, and locks it. Throws InputError when it cannot be written, when another program
+  /// uses it, or, unless `resume`, when it has a campaign already.
+  RunDirectory(std::string folder, bool resume);
+
+  /// The plan that was begun here, when its record is complete. `cases` is how many were asked for; 0: a time.
+  struct Begun {
+    CampaignPlan plan;
+    std::int64_t cases = 0;
+  };
+  const std::optional<Begun>& begun() const { return begun_; }
+
+  /// Gives the state what is recorded, as far as it belongs to a campaign of `cases` cases: a last block that has fewer
+  /// than it now should is done again. Records that this makes void are removed. REQUIRES: `begun` has the plan.
+  /// Throws InputError when the records are not those of this plan.
+  void restore(CampaignState& state, std::int64_t cases);
+  /// Begins a campaign. REQUIRES: none was begun.
+  void begin(const CampaignPlan& plan, std::int64_t cases);
+
+  void add_unit(const std::string& object) { units_->append(object); }
+  void add_finding(const std::string& object, const CampaignFinding& finding);
+  void add_times(std::int64_t unit, const UnitTimes& times);
+  void write_file(const std::string& name, const std::string& content) const;
+
+ private:
+  void write_case_of(const CampaignFinding& finding) const;
+  std::string path(const char* name) const { return folder_ + "/" + name; }
+  void open_journals(std::size_t units, std::size_t findings);
+
+  std::string folder_;
+  std::unique_ptr<FolderLock> lock_;
+  JournalContent unit_lines_;
+  JournalContent finding_lines_;
+  std::optional<Begun> begun_;
+  std::unique_ptr<Journal> units_;
+  std::unique_ptr<Journal> findings_;
+  std::unique_ptr<Journal> times_;
+};
+
+/// The state that a folder records, for reading alone. Nothing when not even the plan is complete.
+/// Throws InputError when the folder is none of a campaign, or damaged.
+struct RecordedCampaign {
+  CampaignPlan plan;
+  CampaignSummary summary;
+};
+std::optional<RecordedCampaign> read_campaign(const std::string& folder);
+
+}  // namespace asts
