@@ -41,7 +41,8 @@ struct CampaignFinding {
 
 /// Why a campaign says less than it seems to.
 struct HealthProblem {
-  std::string check;  ///< "trivial-meshes", "repeated-meshes", "hypothesis-never-met", "bias-never-fired", "slow-case"
+  /// "trivial-meshes", "repeated-meshes", "never-tried", "hypothesis-never-met", "bias-never-fired", "slow-case"
+  std::string check;
   std::string subject;  ///< the claim or the bias; may be empty
   std::string says;     ///< with the numbers
 };
