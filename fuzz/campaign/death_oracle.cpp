@@ -1,6 +1,6 @@
 #include "fuzz/campaign/death_oracle.hpp"
 
-#include <sys/resource.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -55,6 +55,7 @@ std::optional<std::string> death_of(const Statement& statement, const Case& test
   const pid_t child = fork();
   if (child < 0) throw ResourceError("no other process");
   if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     alarm(kLongestSeconds);
     run_and_exit([&] { try_on_case(statement, test_case); }, [](const std::string&) {});
   }
