@@ -212,7 +212,7 @@ class Campaign {
         folder_->add_times(unit.record->unit, unit.times);
         folder_->add_unit(unit_json(*unit.record));
       }
-      count_times(unit.times);
+      count_times(unit.times, unit.record->cases);
       state_.add_unit(*unit.record);
       for (const std::uint64_t mesh : unit.fresh) open_meshes_.erase(mesh);
       open_.erase(open_.begin());
@@ -226,7 +226,8 @@ class Campaign {
     }
   }
 
-  void count_times(const UnitTimes& times) {
+  void count_times(const UnitTimes& times, std::int64_t cases) {
+    times_.cases += cases;
     times_.total += times.total;
     if (times.slowest <= times_.slowest) return;
     times_.slowest = times.slowest;
@@ -262,7 +263,7 @@ class Campaign {
   std::int64_t next_unit_ = 0;
   std::int64_t next_told_ = 0;
   std::size_t next_task_ = 0;
-  CampaignTimes times_;
+  CaseTimes times_;
 };
 
 }  // namespace

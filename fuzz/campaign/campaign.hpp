@@ -7,6 +7,7 @@
 
 #include "fuzz/campaign/run_directory.hpp"
 #include "fuzz/campaign/worker.hpp"
+#include "properties/campaign/health.hpp"
 
 namespace asts {
 
@@ -20,15 +21,9 @@ struct CampaignRun {
   std::function<void(const std::string& line)> progress;  ///< a line for a person, a few times a second
 };
 
-struct CampaignTimes {
-  std::int64_t total = 0;    ///< microseconds of all workers
-  std::int64_t slowest = 0;  ///< of the slowest case
-  std::int64_t slowest_number = 0;
-};
-
 struct CampaignResult {
   CampaignSummary summary;
-  CampaignTimes times;
+  CaseTimes times;  ///< of this run alone
   bool interrupted = false;
 };
 
