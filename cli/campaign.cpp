@@ -72,9 +72,18 @@ CampaignRun run_of(const CampaignOptions& options, const RunDirectory* folder) {
   return run;
 }
 
-/// A violation of what was expected to hold: of a claim that is not refuted, or that was named.
-bool is_violation(const CampaignFinding& finding, const CampaignOptions& options) {
-  return !finding.expected || !options.claims.empty();
+/// Whether claims were named, then or now: then they are expected to hold, refuted or not.
+bool names_claims(const CampaignPlan& plan, const CampaignOptions& options) {
+  return !options.claims.empty() || plan.claims.size() < all_claims().size();
+}
+
+int exit_code(const CampaignPlan& plan, const CampaignOptions& options, const CampaignResult& result, bool healthy) {
+  if (result.interrupted) return kInterrupted;
+  const bool named = names_claims(plan, options);
+  const auto& findings = result.summary.findings;
+  const bool violated = std::any_of(findings.begin(), findings.end(),
+                                    [named](const CampaignFinding& finding) { return named || !finding.expected; });
+  return violated ? kViolated : healthy ? kHolds : kFailure;
 }
 
 }  // namespace
@@ -91,12 +100,10 @@ int campaign(const CampaignOptions& options) {
     print(fmt::format("{} {} {} {} {}\n", finding.claim, finding.kind, finding.file, finding.valid.value_or(false),
                       finding.minimized ? finding.minimized->size.subdivisions : -1));
   }
-  const auto& findings = result.summary.findings;
-  if (result.interrupted) return kInterrupted;
-  if (std::any_of(findings.begin(), findings.end(), [&](const auto& one) { return is_violation(one, options); })) {
-    return kViolated;
-  }
-  return kHolds;
+  std::vector<HealthProblem> problems = check_health(result.summary);
+  const auto slow = check_speed(result.times);
+  if (slow) warn("asts: " + slow->check + ": " + slow->says + "\n");
+  return exit_code(plan, options, result, problems.empty() && !slow);
 }
 
 }  // namespace asts::cli
