@@ -18,6 +18,17 @@ RandomCase planar_inside_case_in(Draw& draw, const Setting& setting, const CaseL
 /// The setting of a trouble bias.
 Setting trouble_setting(Draw& draw, const CaseLimits& limits, Bias bias);
 
+/// A column of unit cubes along an axis, with the level that each is subdivided to.
+struct Column {
+  std::size_t axis = 0;
+  PerAxis<std::int32_t> cube{};      ///< one of them
+  std::vector<std::int32_t> levels;  ///< by the place along the axis
+};
+
+/// Subdivides the column level by level, on towards one corner of the cubes' common section, so that the finer elements
+/// stand above each other.
+void subdivide_column(Draw& draw, GrowingCase& growing, const Column& column);
+
 /// A unit cube in the middle part of the domain, with sides no farther than one cube from the active region.
 PerAxis<std::int32_t> middle_cube(Draw& draw, const Setting& setting);
 

@@ -90,13 +90,6 @@ void subdivide_smaller_closures(Draw& draw, GrowingCase& growing, int steps) {
   }
 }
 
-/// A column of unit cubes along an axis, with the level that each is subdivided to.
-struct Column {
-  std::size_t axis = 0;
-  PerAxis<std::int32_t> cube{};      ///< one of them
-  std::vector<std::int32_t> levels;  ///< by the place along the axis
-};
-
 std::size_t longest_axis(const Setting& setting) {
   std::size_t longest = 0;
   for (std::size_t axis = 1; axis < kDimension; ++axis) {
@@ -128,30 +121,6 @@ Column random_column(Draw& draw, const Setting& setting) {
     column.levels.push_back(place == peak ? top : level);
   }
   return column;
-}
-
-/// Subdivides the column level by level, on towards one corner of the cubes' common section, so that the finer elements
-/// stand above each other.
-void subdivide_column(Draw& draw, GrowingCase& growing, const Column& column) {
-  PerAxis<bool> last_child;
-  for (bool& last : last_child) last = draw.one_in(2);
-  const auto levels = *std::max_element(column.levels.begin(), column.levels.end());
-  for (std::int32_t level = 0; level < levels; ++level) {
-    Leaves chosen;
-    for (std::size_t place = 0; place < column.levels.size(); ++place) {
-      if (column.levels[place] <= level) continue;
-      PerAxis<std::int32_t> cube = column.cube;
-      cube[column.axis] = static_cast<std::int32_t>(place);
-      std::int32_t id = growing.tree().unit_cube(cube);
-      while (!growing.tree().is_leaf(id)) {
-        const auto axis = at(growing.tree().split_axis(id));
-        id = growing.tree().node(id).first_child + (last_child[axis] ? growing.tree().child_count(id) - 1 : 0);
-      }
-      chosen.push_back(id);
-    }
-    make_distinct(chosen);
-    if (!growing.add(Step::Kind::subdivide, chosen)) return;
-  }
 }
 
 /// Whether an element lies in a closed box of points.
@@ -192,6 +161,28 @@ RandomCase in_small_region(Draw& draw, const Setting& setting, const CaseLimits&
 }
 
 }  // namespace
+
+void subdivide_column(Draw& draw, GrowingCase& growing, const Column& column) {
+  PerAxis<bool> last_child;
+  for (bool& last : last_child) last = draw.one_in(2);
+  const auto levels = *std::max_element(column.levels.begin(), column.levels.end());
+  for (std::int32_t level = 0; level < levels; ++level) {
+    Leaves chosen;
+    for (std::size_t place = 0; place < column.levels.size(); ++place) {
+      if (column.levels[place] <= level) continue;
+      PerAxis<std::int32_t> cube = column.cube;
+      cube[column.axis] = static_cast<std::int32_t>(place);
+      std::int32_t id = growing.tree().unit_cube(cube);
+      while (!growing.tree().is_leaf(id)) {
+        const auto axis = at(growing.tree().split_axis(id));
+        id = growing.tree().node(id).first_child + (last_child[axis] ? growing.tree().child_count(id) - 1 : 0);
+      }
+      chosen.push_back(id);
+    }
+    make_distinct(chosen);
+    if (!growing.add(Step::Kind::subdivide, chosen)) return;
+  }
+}
 
 RandomCase trouble_case_in(Draw& draw, const Setting& setting, const CaseLimits& limits, Bias bias) {
   if (bias == Bias::boxes_planar_inside) return planar_inside_case_in(draw, setting, limits);

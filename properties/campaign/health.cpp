@@ -2,6 +2,7 @@
 
 #include "lib/exact/rational.hpp"
 #include "lib/gen/random_case.hpp"
+#include "properties/campaign/provocations.hpp"
 
 namespace asts {
 
@@ -19,6 +20,8 @@ constexpr std::int64_t kDistinctPart = 4;
 
 /// A bias is said to be missing when chance would explain that less often than once in so many campaigns.
 constexpr std::int64_t kChance = 1'000'000;
+/// Provocations are drawn once in a number of blocks of so many cases.
+constexpr std::int64_t kBlock = 64;
 
 // A case of 10 seconds holds up nobody who lets a campaign run for an hour; one part in 20 of the time does.
 constexpr std::int64_t kSlowMicroseconds = 10'000'000;
@@ -70,13 +73,14 @@ bool is_no_chance(std::int64_t n, std::int64_t draws) {
 }
 
 void check_biases(const CampaignSummary& summary, std::vector<HealthProblem>& problems) {
+  const auto check = [&](const char* name, std::int64_t one_in, std::int64_t draws) {
+    const auto found = summary.biases.find(name);
+    if (found == summary.biases.end() || found->second > 0 || !is_no_chance(one_in, draws)) return;
+    problems.push_back({"bias-never-fired", name, of_all(0, summary.cases, "cases were drawn for it")});
+  };
   const auto count = static_cast<std::int64_t>(all_biases().size());
-  const bool enough = is_no_chance(count, summary.cases);
-  for (const Bias bias : all_biases()) {
-    const auto found = summary.biases.find(bias_name(bias));
-    if (found == summary.biases.end() || found->second > 0 || !enough) continue;
-    problems.push_back({"bias-never-fired", bias_name(bias), of_all(0, summary.cases, "cases were drawn for it")});
-  }
+  for (const Bias bias : all_biases()) check(bias_name(bias), count, summary.cases);
+  for (const Provocation& one : all_provocations()) check(one.name, one.rarity, summary.cases / kBlock);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace asts {
 ///  "never-tried"           a claim that got no trial;
 ///  "hypothesis-never-met"  a claim that got trials, none of which says anything about it;
 ///  "bias-never-fired"      a bias of the summary with the count 0, when there is less than one chance in a million
-///                          that so many cases miss it.
+///                          that so many cases miss it. Biases that the summary does not have are not asked about.
 /// The two about claims do not ask for how long the campaign ran: one that is too short for a claim has not tested it,
 /// and must not look as if it had. The others keep silent about campaigns that are too short to tell: fewer than 100
 /// distinct meshes, 1000 meshes, and the chance for a bias.

@@ -66,7 +66,7 @@ void Trials::on_mesh(TrialSubject& subject, MeshUnderTest& mesh) {
   for (std::size_t place = 0; place < claims_.size(); ++place) {
     const Claim& claim = *claims_[place];
     if (claim.on_mesh == nullptr || !wants(place, subject)) continue;
-    if (!is_stated_for(claim, mesh, subject.whole.explicit_mesh)) continue;
+    if (subject.only == nullptr && !is_stated_for(claim, mesh, subject.whole.explicit_mesh)) continue;
     ++records_[place].meshes;
     count(place, timed(place, &subject, [&] { return try_on_mesh(claim, mesh); }), &subject, &mesh);
   }

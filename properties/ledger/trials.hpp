@@ -40,7 +40,8 @@ struct TrialSubject {
 /// A claim gets the meshes of its class (Claim::meshes: admissible ones for "a", those that subdivisions make for "r",
 /// all for "e" or when no class is named) with up to Claim::max_elements elements, and of these one in Claim::stride,
 /// chosen by the mesh's fingerprint. Sequences go to on_sequence likewise. A case that was made for one claim
-/// (TrialSubject::only) is tried on that claim alone, whatever its size.
+/// (TrialSubject::only) is tried on that claim alone, whatever its size and class: the claim itself says when a mesh is
+/// outside its hypothesis.
 class Trials {
  public:
   struct Options {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "properties/campaign/provoked_cases.hpp"
 #include "tests/minimize/special_starts.hpp"
 #include "tests/minimize/start_meshes.hpp"
 
@@ -8,13 +9,6 @@ namespace asts {
 namespace {
 
 constexpr std::int64_t kMostDistanceSubdivisions = 13;
-
-/// A place of a row of cubes along x, seen from one of its ends.
-Point row_point(const Case& row, bool mirrored, const Rational& x) {
-  return {CompactRational(mirrored ? Rational(row.domain[0] - x) : x), CompactRational(), CompactRational()};
-}
-
-void refine_at(Case& row, const Point& point) { row.steps.push_back({Step::Kind::refine, {point}}); }
 
 /// Anywhere in a unit cube but on its sides.
 Point inside_cube(Draw& draw, const PerAxis<int>& cube) {
@@ -30,14 +24,6 @@ void insert_step(Draw& draw, Case& test_case, const Step& step, std::size_t firs
   test_case.steps.insert(test_case.steps.begin() + static_cast<std::ptrdiff_t>(place), step);
 }
 
-/// Along the row the degree is 3: with a larger one the claims about large m hold for longer.
-Case random_row(Draw& draw, int m, int least_length, int breadth) {
-  Case row{{3, 1 + 2 * draw.between(1, 3), 1 + 2 * draw.between(1, 3)}, m, {}, {}, false, {}};
-  row.domain = {draw.between(least_length, kLargestStartSide), 1, 1};
-  row.domain[1 + draw.index(2)] = draw.between(1, breadth);
-  return row;
-}
-
 }  // namespace
 
 // The closure of a mark leads from level to level, three slabs of width 1/m onwards each time, out of the cube into its
@@ -46,12 +32,11 @@ Case random_row(Draw& draw, int m, int least_length, int breadth) {
 Case distance_start(Draw& draw) {
   const int m = draw.between(1285, 1400);
   const int depth = m >= 1315 ? draw.between(1, 3) : m >= 1300 ? draw.between(2, 3) : 3;
-  Case row = random_row(draw, m, depth == 3 ? 2 : 4, depth == 3 ? 1 : 3);
+  Case row = random_row(draw, m, kLargestStartSide, depth == 3 ? 2 : 4, depth == 3 ? 1 : 3);
   if (depth < 3) row.domain[0] = kLargestStartSide;
   const bool mirrored = draw.one_in(2);
   const int cube = draw.between(0, row.domain[0] - 2);
-  const Rational place = cube + (Rational(m - 4 * depth) + Rational(1) / 2) / m;
-  for (int step = 0; step < depth; ++step) refine_at(row, row_point(row, mirrored, place));
+  mark_towards_neighbour(row, mirrored, cube, depth);
   const std::int64_t size = draw.between(kLeastStartSize, kMostDistanceSubdivisions);
   while (size_of(row) < size) {
     PerAxis<int> other{draw.between(0, row.domain[0] - 1), draw.between(0, row.domain[1] - 1),
@@ -71,7 +56,7 @@ Case distance_start(Draw& draw) {
 // those three beyond its last are out of reach, and so are more marks of the chain before the first that is needed.
 Case chain_start(Draw& draw) {
   const int m = draw.between(1303, 1331);
-  Case row = random_row(draw, m, 3, 1);
+  Case row = random_row(draw, m, kLargestStartSide, 3, 1);
   row.domain[1] = row.domain[2] = 1;
   const bool mirrored = draw.one_in(2);
   const int start = draw.between(0, row.domain[0] - 3);
@@ -91,29 +76,6 @@ Case chain_start(Draw& draw) {
   return row;
 }
 
-// A mark is any point of the corner's element, whose sides are m^(-l/3) and so on for the level l that it has by then.
-Case corner_start(Draw& draw) {
-  constexpr int m = 3;
-  constexpr int kSide = 5;
-  Case result{{3, 3, 3}, m, {kSide, kSide, kSide}, {}, false, {}};
-  PerAxis<bool> high;
-  for (bool& axis : high) axis = draw.one_in(2);
-  PerAxis<Rational> size{1, 1, 1};
-  const int steps = draw.between(117, 125);
-  for (int step = 0; step < steps; ++step) {
-    Step mark{Step::Kind::refine, {}};
-    for (int points = draw.one_in(8) ? 2 : 1; points > 0; --points) {
-      Point point;
-      for (std::size_t axis = 0; axis < kDimension; ++axis) {
-        const Rational from_side = draw.one_in(2) ? Rational(0) : Rational(size[axis] * draw.between(1, 4) / 5);
-        point[axis] = CompactRational(high[axis] ? Rational(kSide - from_side) : from_side);
-      }
-      mark.marks.push_back(point);
-    }
-    result.steps.push_back(mark);
-    size[static_cast<std::size_t>(step % kDimension)] /= m;
-  }
-  return result;
-}
+Case corner_start(Draw& draw) { return corner_case(draw, 3, {117, 125}); }
 
 }  // namespace asts

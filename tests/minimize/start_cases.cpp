@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lib/exact/errors.hpp"
+#include "properties/campaign/provoked_cases.hpp"
 #include "properties/statement.hpp"
 #include "tests/minimize/special_starts.hpp"
 #include "tests/minimize/start_meshes.hpp"
@@ -59,17 +60,6 @@ Case violating_as_made(Draw& draw, const Statement& statement, Case (*make)(Draw
   throw InternalError("no start was found");
 }
 
-/// Columns of elements whose supports touch: random meshes of other kinds are hardly ever dual-compatible without being
-/// analysis-suitable.
-Case random_interface(Draw& draw) {
-  while (true) {
-    const CaseLimits limits{draw.one_in(3) ? 7 : 3, 4, kLargestStartSide, 350, 600, 12};
-    const Setting setting = setting_for(draw, limits, Bias::bare_interface);
-    const int longest = *std::max_element(setting.domain.begin(), setting.domain.end());
-    if (longest <= kLargestStartSide) return random_case_in(draw, setting, limits, Bias::bare_interface).content;
-  }
-}
-
 /// One axis at least that is shorter than the integers of its frame.
 Case on_narrow_domain(Draw& draw) {
   Case result = random_steps(draw, {StartSteps::refine_only, 7, 2, 4, 250, 600});
@@ -96,14 +86,14 @@ Case violating_random_steps(Draw& draw, const Statement& statement, std::string_
   const bool interface = claim == "dc-implies-as" || (claim == "case-table" && draw.one_in(2));
   const Make make = [&](Draw& own) {
     if (claim == "frame-in-index-sets") return on_narrow_domain(own);
-    return interface ? random_interface(own) : random_steps(own, limits);
+    return interface ? interface_case(own) : random_steps(own, limits);
   };
   return violating(draw, statement, make, limits);
 }
 
 /// Boxes that come from subdivisions for every other start, before boxes that do not are cut from them.
 Case random_boxes(Draw& draw, std::string_view id) {
-  if (id == "dc-implies-as") return as_boxes(draw, random_interface(draw));
+  if (id == "dc-implies-as") return as_boxes(draw, interface_case(draw));
   if (draw.one_in(2)) return as_boxes(draw, random_steps(draw, {}));
   const CaseLimits limits{draw.one_in(3) ? 7 : 3, 4, kLargestStartSide, 200, 400, 8};
   return random_box_case(draw, limits).content;
@@ -121,8 +111,8 @@ Case violating_start(std::string_view claim, std::uint64_t seed) {
   if (claim == "lambda-sums") return chain_start(draw);
   if (claim == "experiment-constant") return corner_start(draw);
   if (claim == "distance-bound") return distance_start(draw);
-  if (claim == "figure-proof-levels") return violating_as_made(draw, statement, figure_start);
-  if (claim == "planar-equals-classical") return violating_as_made(draw, statement, planar_steps);
+  if (claim == "figure-proof-levels") return violating_as_made(draw, statement, figure_case);
+  if (claim == "planar-equals-classical") return violating_as_made(draw, statement, planar_case_of_steps);
   return violating_random_steps(draw, statement, claim);
 }
 
@@ -130,7 +120,7 @@ Case violating_explicit_start(std::string_view id, std::uint64_t seed) {
   require(std::find(kExplicit.begin(), kExplicit.end(), id) != kExplicit.end(), "a statement without explicit starts");
   const Statement statement = find_statement(id).value();
   Draw draw = draw_for(id, ~seed);
-  if (id == "planar-equals-classical") return violating_as_made(draw, statement, planar_boxes);
+  if (id == "planar-equals-classical") return violating_as_made(draw, statement, planar_case_of_boxes);
   return violating(draw, statement, [&](Draw& own) { return random_boxes(own, id); }, {});
 }
 

@@ -106,6 +106,22 @@ TEST(CampaignHealth, SaysWhichBiasNeverFiredWhenItCannotBeChance) {
   EXPECT_EQ(problems_of(summary), Problems{}) << "not counted, not asked about";
 }
 
+// In blocks of 64 cases: (15/16)^214 = 1.005 * 10^-6, (15/16)^215 = 0.94 * 10^-6.
+TEST(CampaignHealth, SaysWhichProvocationWasNeverDrawn) {
+  CampaignSummary summary = healthy();
+  summary.biases["provoke-distance-bound"] = 0;  // once in 16 blocks
+  summary.biases["provoke-dc-implies-as"] = 0;   // once in a block
+  summary.cases = 63;
+  EXPECT_EQ(problems_of(summary), Problems{});
+  summary.cases = 64;
+  EXPECT_EQ(problems_of(summary), Problems{"bias-never-fired provoke-dc-implies-as"});
+  summary.biases["provoke-dc-implies-as"] = 1;
+  summary.cases = 64 * 215 - 1;
+  EXPECT_EQ(problems_of(summary), Problems{});
+  summary.cases = 64 * 215;
+  EXPECT_EQ(problems_of(summary), Problems{"bias-never-fired provoke-distance-bound"});
+}
+
 /// What a campaign counts about meshes and biases.
 void count_case(const Case& content, std::unordered_set<Fingerprint, FingerprintHash>& seen, CampaignSummary& summary) {
   const auto count = [&](const Mesh& mesh, bool trivial) {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+#include "lib/gen/draw.hpp"
+#include "lib/mesh/case.hpp"
+
+namespace asts {
+
+/// Random cases for one claim, whose hypothesis or violation the general stream of cases (lib/gen/case_stream) never or
+/// hardly ever meets.
+struct Provocation {
+  const char* claim;    ///< its id. The case is for this claim alone, whatever its size and class
+  const char* name;     ///< among the biases: "provoke-" and the id
+  Case (*draw)(Draw&);  ///< depends on the state of the Draw alone
+  int rarity;           ///< drawn once in so many blocks of 64 cases of the stream
+};
+
+/// In the order of the ledger of claims; each name once. `rarity` is so large that a provocation takes 5 parts in 100
+/// of the time at most: a block of 64 cases with all claims takes 0.3 to 1 seconds.
+/// Laws (tests/properties/provocations_test.cpp): (1) cases are valid, and the same for the same state; (2) where the
+/// claim is refuted, one of the first 200 cases violates it; elsewhere one of them meets the hypothesis.
+/// lambda-sums is missing: its shortest known sequence has 1307 steps and a mesh of 61 million elements.
+std::span<const Provocation> all_provocations();
+
+}  // namespace asts
