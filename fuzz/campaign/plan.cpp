@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/gen/case_stream.hpp"
+#include "properties/campaign/provocations.hpp"
 
 namespace asts {
 
@@ -19,6 +20,23 @@ std::vector<std::size_t> places_alone(const CampaignPlan& plan) {
 bool any_on_cases(const CampaignPlan& plan) {
   return std::any_of(plan.claims.begin(), plan.claims.end(),
                      [](const Claim* claim) { return claim->on_mesh != nullptr || claim->on_sequence != nullptr; });
+}
+
+bool has_claim(const CampaignPlan& plan, std::string_view id) {
+  return std::any_of(plan.claims.begin(), plan.claims.end(), [id](const Claim* claim) { return claim->id == id; });
+}
+
+/// The last cases of a block are those that are drawn for single claims: what the case is drawn for, if it is.
+const Provocation* provocation_of(const CampaignPlan& plan, std::int64_t number) {
+  const std::int64_t block = number / kBlockCases;
+  std::int64_t end = kBlockCases - number % kBlockCases;  // cases from this one to the end of the block
+  int place = 0;
+  for (const Provocation& provocation : all_provocations()) {
+    if (block % provocation.rarity != place++ % provocation.rarity || !has_claim(plan, provocation.claim)) continue;
+    end -= provocation.cases;
+    if (end <= 0) return &provocation;
+  }
+  return nullptr;
 }
 
 /// The units before the first block.
@@ -44,13 +62,20 @@ std::int64_t units_for(const CampaignPlan& plan, std::int64_t cases) {
 
 CampaignCase campaign_case(const CampaignPlan& plan, std::int64_t number) {
   if (number < 0) return {plan.stored.at(static_cast<std::size_t>(-1 - number)).content, kStoredBias};
-  RandomCase random = make_case(plan_case(plan.seed, number));
+  PlannedCase planned = plan_case(plan.seed, number);
+  if (const Provocation* provocation = provocation_of(plan, number)) {
+    return {provocation->draw(planned.draw), provocation->name, find_claim(provocation->claim)};
+  }
+  RandomCase random = make_case(std::move(planned));
   return {std::move(random.content), bias_name(random.bias)};
 }
 
-std::vector<std::string> campaign_biases(const CampaignPlan&) {
+std::vector<std::string> campaign_biases(const CampaignPlan& plan) {
   std::vector<std::string> names;
   for (const Bias bias : all_biases()) names.emplace_back(bias_name(bias));
+  for (const Provocation& provocation : all_provocations()) {
+    if (has_claim(plan, provocation.claim)) names.emplace_back(provocation.name);
+  }
   return names;
 }
 

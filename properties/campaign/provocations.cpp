@@ -25,12 +25,12 @@ Case corner_experiment(Draw& draw) {
 }
 
 constexpr std::array kProvocations{
-    Provocation{"planar-equals-classical", "provoke-planar-equals-classical", small_planar_case_of_boxes, 1},
+    Provocation{"planar-equals-classical", "provoke-planar-equals-classical", small_planar_case_of_boxes, 1, 2},
     Provocation{"planar-equals-classical-repaired", "provoke-planar-equals-classical-repaired",
                 small_planar_case_of_boxes, 2},
     Provocation{"figure-proof-levels", "provoke-figure-proof-levels", figure_case, 2},
     Provocation{"admissible-implies-as", "provoke-admissible-implies-as", graded_case, 1},
-    Provocation{"dc-implies-as", "provoke-dc-implies-as", small_interface_case, 1},
+    Provocation{"dc-implies-as", "provoke-dc-implies-as", small_interface_case, 1, 6},
     Provocation{"dc-implies-as-repaired", "provoke-dc-implies-as-repaired", small_interface_case, 2},
     Provocation{"case-table", "provoke-case-table", small_interface_case, 1},
     Provocation{"case-table-repaired", "provoke-case-table-repaired", small_interface_case, 2},

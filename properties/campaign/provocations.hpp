@@ -13,7 +13,8 @@ struct Provocation {
   const char* claim;    ///< its id. The case is for this claim alone, whatever its size and class
   const char* name;     ///< among the biases: "provoke-" and the id
   Case (*draw)(Draw&);  ///< depends on the state of the Draw alone
-  int rarity;           ///< drawn once in so many blocks of 64 cases of the stream
+  int rarity;           ///< drawn in one of so many blocks of 64 cases of the stream
+  int cases = 1;        ///< how many of that block's cases
 };
 
 /// In the order of the ledger of claims; each name once. `rarity` is so large that a provocation takes 5 parts in 100

@@ -81,6 +81,24 @@ TEST(UnitWork, LeavesOutWhatDidNotComeBack) {
   EXPECT_EQ(work_on(plan, 1, 70).end, 70);
 }
 
+// dc-implies-as: in every block; distance-bound: in one of 16.
+TEST(CampaignCase, EndsBlocksWithCasesDrawnForTheClaims) {
+  const CampaignPlan plan = plan_of({"dc-implies-as", "distance-bound", "as-implies-dc"});
+  std::map<std::string, std::int64_t> drawn;
+  for (std::int64_t number = 0; number < 16 * kBlockCases; ++number) {
+    const CampaignCase one = campaign_case(plan, number);
+    if (one.only == nullptr) continue;
+    ++drawn[one.bias];
+    EXPECT_GE(number % kBlockCases, kBlockCases - 7) << number;
+    EXPECT_EQ(one.bias, std::string("provoke-") + one.only->id);
+    EXPECT_EQ(one.content, campaign_case(plan, number).content);
+  }
+  EXPECT_EQ(drawn, (std::map<std::string, std::int64_t>{{"provoke-dc-implies-as", 96}, {"provoke-distance-bound", 1}}));
+  const std::vector<std::string> biases = campaign_biases(plan);
+  EXPECT_EQ(std::count(biases.begin(), biases.end(), "provoke-distance-bound"), 1);
+  EXPECT_EQ(std::count(biases.begin(), biases.end(), "provoke-case-table"), 0);
+}
+
 TEST(Units, AreNumberedInOneOrder) {
   CampaignPlan plan = plan_of({"as-implies-dc", "figure-slices", "experiment-constant"});
   plan.stored.push_back({"a.case", plan.claims[0], "", {}});
