@@ -21,19 +21,6 @@ std::string plural(std::int64_t count, const char* word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
-Json size_json(const MinimizedReport& report) {
-  const CaseSize& size = report.minimized.size;
-  const Case& smallest = report.minimized.smallest;
-  return {{"form", size.boxes ? "boxes" : "steps"},
-          {size.boxes ? "boxes" : "subdivisions", size.subdivisions},
-          {"steps", size.steps},
-          {"volume", size.volume},
-          {"domain", smallest.domain},
-          {"degree", smallest.degree},
-          {"grading", size.grading},
-          {"depth", size.depth}};
-}
-
 std::int64_t element_count(const CaseSize& size) {
   return size.boxes ? size.subdivisions : size.volume + size.subdivisions * (size.grading - 1);
 }
@@ -69,6 +56,17 @@ std::string guarantee_of(const MinimizedReport& report) {
   const bool proved = report.proof && report.proof->complete;
   return proved && report.minimized.guarantee == Guarantee::one_minimal ? "exhaustive"
                                                                         : guarantee_name(report.minimized.guarantee);
+}
+
+nlohmann::ordered_json size_json(const Case& test_case, const CaseSize& size) {
+  return {{"form", size.boxes ? "boxes" : "steps"},
+          {size.boxes ? "boxes" : "subdivisions", size.subdivisions},
+          {"steps", size.steps},
+          {"volume", size.volume},
+          {"domain", test_case.domain},
+          {"degree", test_case.degree},
+          {"grading", size.grading},
+          {"depth", size.depth}};
 }
 
 std::string size_text(const Case& test_case, const CaseSize& size) {
@@ -107,7 +105,7 @@ std::string minimized_json(const MinimizedReport& report) {
   Json json{{"case", report.case_name},
             {word_for(report.statement), report.statement.id()},
             {"kind", minimized.kind},
-            {"size", size_json(report)},
+            {"size", size_json(minimized.smallest, minimized.size)},
             {"guarantee", guarantee_of(report)},
             {"evaluations", minimized.evaluations}};
   if (report.proof) json["proof"] = proof_json(*report.proof);

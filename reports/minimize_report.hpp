@@ -31,6 +31,8 @@ std::string guarantee_of(const MinimizedReport& report);
 
 /// "2 subdivisions, 2 steps, 4 x 4 x 5 cubes, p = (3,3,3), m = 2, level 2".
 std::string size_text(const Case& test_case, const CaseSize& size);
+/// The same for programs.
+nlohmann::ordered_json size_json(const Case& test_case, const CaseSize& size);
 
 /// The case with comment lines that say what it is a counterexample to, and how large it is. Depends on the case and
 /// the kind of the violation alone: minimizing it again gives the same bytes.
