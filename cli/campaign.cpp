@@ -9,6 +9,10 @@
 #include "cli/statements.hpp"
 #include "cli/terminal.hpp"
 #include "lib/exact/errors.hpp"
+#include "reports/campaign_json.hpp"
+#include "reports/campaign_junit.hpp"
+#include "reports/campaign_sarif.hpp"
+#include "reports/campaign_text.hpp"
 
 namespace asts::cli {
 
@@ -96,11 +100,16 @@ int campaign(const CampaignOptions& options) {
   const CampaignPlan plan = folder && folder->begun() ? resumed_plan(options, folder->begun()->plan) : plan_of(options);
   const CampaignResult result = run_campaign(plan, run_of(options, recorded), recorded);
   show_progress({});
-  for (const CampaignFinding& finding : result.summary.findings) {
-    print(fmt::format("{} {} {} {} {}\n", finding.claim, finding.kind, finding.file, finding.valid.value_or(false),
-                      finding.minimized ? finding.minimized->size.subdivisions : -1));
+  const std::vector<HealthProblem> problems = check_health(result.summary);
+  const std::string json = campaign_json(result.summary, problems);
+  const std::string text = campaign_text(result.summary, problems);
+  if (folder) {
+    folder->write_file("statistics.json", json);
+    folder->write_file("statistics.txt", text);
+    folder->write_file("junit.xml", campaign_junit(result.summary, problems));
+    folder->write_file("results.sarif", campaign_sarif(result.summary, problems));
   }
-  std::vector<HealthProblem> problems = check_health(result.summary);
+  print(options.format == Format::json ? json : text);
   const auto slow = check_speed(result.times);
   if (slow) warn("asts: " + slow->check + ": " + slow->says + "\n");
   return exit_code(plan, options, result, problems.empty() && !slow);

@@ -100,7 +100,13 @@ TEST(Readme, ShowsACase) {
 
 TEST(Readme, NamesEveryCommandAndEveryOption) {
   const std::string text = content_of((kRoot / "README.md").string());
-  for (const char* word : {"check",
+  for (const char* word : {"campaign",
+                           "--time",
+                           "--resume",
+                           "--timeout",
+                           "--memory",
+                           "--replay",
+                           "check",
                            "draw",
                            "--out",
                            "refine",
