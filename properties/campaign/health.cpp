@@ -72,15 +72,27 @@ bool is_no_chance(std::int64_t n, std::int64_t draws) {
   return false;
 }
 
+std::int64_t count_of(const CampaignSummary& summary, const char* bias) {
+  const auto found = summary.biases.find(bias);
+  return found == summary.biases.end() ? 0 : found->second;
+}
+
 void check_biases(const CampaignSummary& summary, std::vector<HealthProblem>& problems) {
-  const auto check = [&](const char* name, std::int64_t one_in, std::int64_t draws) {
+  const auto check = [&](const char* name, std::int64_t one_in, std::int64_t draws, const char* of_what) {
     const auto found = summary.biases.find(name);
     if (found == summary.biases.end() || found->second > 0 || !is_no_chance(one_in, draws)) return;
-    problems.push_back({"bias-never-fired", name, of_all(0, summary.cases, "cases were drawn for it")});
+    problems.push_back({"bias-never-fired", name, "no case was drawn for it in " + std::to_string(draws) + of_what});
   };
+  // neither stored cases nor provoked ones are draws of a bias
+  std::int64_t drawn = 0;
+  std::int64_t provoked = 0;
+  for (const Bias bias : all_biases()) drawn += count_of(summary, bias_name(bias));
+  for (const Provocation& one : all_provocations()) provoked += count_of(summary, one.name);
   const auto count = static_cast<std::int64_t>(all_biases().size());
-  for (const Bias bias : all_biases()) check(bias_name(bias), count, summary.cases);
-  for (const Provocation& one : all_provocations()) check(one.name, one.rarity, summary.cases / kBlock);
+  for (const Bias bias : all_biases()) check(bias_name(bias), count, drawn, " draws of a bias");
+  for (const Provocation& one : all_provocations()) {
+    check(one.name, one.rarity, (drawn + provoked) / kBlock, " blocks of cases");
+  }
 }
 
 }  // namespace

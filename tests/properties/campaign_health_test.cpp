@@ -90,36 +90,47 @@ TEST(CampaignHealth, CountsViolationsAndTrialsWithoutAMesh) {
   EXPECT_EQ(problems_of(summary), Problems{});
 }
 
+/// With so many draws of the biases, each of which occurs but for those without a count.
+CampaignSummary with_draws(std::int64_t draws, const std::vector<std::string>& without) {
+  CampaignSummary summary = healthy();
+  for (auto& [bias, count] : summary.biases) count = 1;
+  for (const std::string& bias : without) summary.biases[bias] = 0;
+  for (const auto& [bias, count] : summary.biases) draws -= count;
+  summary.biases["marks-anywhere"] += draws;
+  return summary;
+}
+
 // (25/26)^352 = 1.01 * 10^-6, (25/26)^353 = 0.97 * 10^-6.
 TEST(CampaignHealth, SaysWhichBiasNeverFiredWhenItCannotBeChance) {
   ASSERT_EQ(all_biases().size(), 26U);
-  CampaignSummary summary = healthy();
-  summary.biases["boxes-pinwheel"] = 0;
-  summary.cases = 352;
-  EXPECT_EQ(problems_of(summary), Problems{});
-  summary.cases = 353;
-  EXPECT_EQ(problems_of(summary), Problems{"bias-never-fired boxes-pinwheel"});
-  summary.biases["marks-deep"] = 0;
+  EXPECT_EQ(problems_of(with_draws(352, {"boxes-pinwheel"})), Problems{});
+  EXPECT_EQ(problems_of(with_draws(353, {"boxes-pinwheel"})), Problems{"bias-never-fired boxes-pinwheel"});
+  CampaignSummary summary = with_draws(353, {"boxes-pinwheel", "marks-deep"});
   EXPECT_EQ(problems_of(summary), (Problems{"bias-never-fired marks-deep", "bias-never-fired boxes-pinwheel"}));
-  EXPECT_EQ(check_health(summary).front().says, "0 of 353 cases were drawn for it");
+  EXPECT_EQ(check_health(summary).front().says, "no case was drawn for it in 353 draws of a bias");
   summary.biases.clear();
   EXPECT_EQ(problems_of(summary), Problems{}) << "not counted, not asked about";
+  summary = with_draws(352, {"boxes-pinwheel"});
+  summary.biases["stored"] = 5000;
+  summary.biases["provoke-case-table"] = 5000;
+  EXPECT_EQ(problems_of(summary), Problems{}) << "these are no draws of a bias";
 }
 
-// In blocks of 64 cases: (15/16)^214 = 1.005 * 10^-6, (15/16)^215 = 0.94 * 10^-6.
+// In blocks of 64 cases: (15/16)^214 = 1.004 * 10^-6, (15/16)^215 = 0.94 * 10^-6.
 TEST(CampaignHealth, SaysWhichProvocationWasNeverDrawn) {
-  CampaignSummary summary = healthy();
-  summary.biases["provoke-distance-bound"] = 0;  // once in 16 blocks
-  summary.biases["provoke-dc-implies-as"] = 0;   // once in a block
-  summary.cases = 63;
+  const auto summary_of = [](std::int64_t cases) {
+    CampaignSummary summary = with_draws(cases, {});
+    summary.biases["provoke-distance-bound"] = 0;  // once in 16 blocks
+    summary.biases["stored"] = 640;
+    return summary;
+  };
+  EXPECT_EQ(problems_of(summary_of(64 * 215 - 1)), Problems{});
+  EXPECT_EQ(problems_of(summary_of(64 * 215)), Problems{"bias-never-fired provoke-distance-bound"});
+  CampaignSummary summary = summary_of(63);
+  summary.biases["provoke-dc-implies-as"] = 0;  // in every block
   EXPECT_EQ(problems_of(summary), Problems{});
-  summary.cases = 64;
-  EXPECT_EQ(problems_of(summary), Problems{"bias-never-fired provoke-dc-implies-as"});
-  summary.biases["provoke-dc-implies-as"] = 1;
-  summary.cases = 64 * 215 - 1;
-  EXPECT_EQ(problems_of(summary), Problems{});
-  summary.cases = 64 * 215;
-  EXPECT_EQ(problems_of(summary), Problems{"bias-never-fired provoke-distance-bound"});
+  ++summary.biases["provoke-case-table"];
+  EXPECT_EQ(problems_of(summary), Problems{"bias-never-fired provoke-dc-implies-as"}) << "a whole block";
 }
 
 /// What a campaign counts about meshes and biases.
