@@ -5,9 +5,6 @@
 #include <unistd.h>
 
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "lib/exact/errors.hpp"
 
@@ -54,26 +51,28 @@ std::optional<std::string> unsealed(std::string_view line) {
   return sealed(whole) == line ? std::optional(whole) : std::nullopt;
 }
 
-JournalContent read_journal(const std::string& path) {
-  JournalContent content;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return content;
-  std::size_t number = 0;
-  std::size_t damaged = 0;
-  std::uint64_t end = 0;
-  for (std::string line; std::getline(file, line) && !file.eof();) {
-    ++number;
-    end += line.size() + 1;
-    auto object = unsealed(line);
-    if (object && damaged > 0) throw InputError(fmt::format("{}:{}: the record is damaged", path, damaged));
-    if (!object) {
-      damaged = damaged > 0 ? damaged : number;
-      continue;
-    }
-    content.objects.push_back(std::move(*object));
-    content.ends.push_back(end);
+JournalReader::JournalReader(std::string path) : path_(std::move(path)), file_(path_, std::ios::binary) {}
+
+/// With its line end, which is not returned.
+std::optional<std::string> JournalReader::next_line() {
+  std::string line;
+  if (!std::getline(file_, line) || file_.eof()) return std::nullopt;
+  return line;
+}
+
+std::optional<std::string> JournalReader::next() {
+  auto line = next_line();
+  if (!line) return std::nullopt;
+  auto object = unsealed(*line);
+  if (object) {
+    ++line_;
+    end_ += line->size() + 1;
+    return object;
   }
-  return content;
+  while ((line = next_line())) {
+    if (unsealed(*line)) throw InputError(fmt::format("{}:{}: the record is damaged", path_, line_ + 1));
+  }
+  return std::nullopt;
 }
 
 Journal::Journal(std::string path, std::uint64_t bytes)

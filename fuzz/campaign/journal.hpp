@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,15 +17,29 @@ std::string sealed(std::string_view object);
 /// The object without its seal; nothing when the line is cut or changed.
 std::optional<std::string> unsealed(std::string_view line);
 
-/// An append-only file of sealed lines. A line counts when all of it is there, with its line end.
-struct JournalContent {
-  std::vector<std::string> objects;
-  std::vector<std::uint64_t> ends;  ///< of each line, in bytes from the beginning of the file
-};
+/// Reads an append-only file of sealed lines, one after the other. A line counts when all of it is there, with its line
+/// end; what is left of a last line is no record.
+class JournalReader {
+ public:
+  /// A file that is not there has no lines.
+  explicit JournalReader(std::string path);
 
-/// Reads a journal; empty when there is no file. What is left of a last line is no record.
-/// Throws InputError "FILE:LINE: ..." when a line is damaged and a later one is not: that is no cut.
-JournalContent read_journal(const std::string& path);
+  /// The next object; nothing at the end. Throws InputError "FILE:LINE: ..." when a line is damaged and a later one is
+  /// not: that is no cut.
+  std::optional<std::string> next();
+
+  /// Behind the lines that were read: in bytes from the beginning of the file, and how many they are.
+  std::uint64_t end() const { return end_; }
+  std::size_t line() const { return line_; }
+
+ private:
+  std::optional<std::string> next_line();
+
+  std::string path_;
+  std::ifstream file_;
+  std::uint64_t end_ = 0;
+  std::size_t line_ = 0;
+};
 
 /// Writes a journal. What append() has written is on the disk when it returns.
 class Journal {

@@ -1,5 +1,7 @@
 #include "fuzz/campaign/run_directory.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -53,10 +55,12 @@ RunDirectory::Begun plan_from(const Json& json) {
   return begun;
 }
 
-std::optional<RunDirectory::Begun> plan_of(const JournalContent& units, const std::string& path) {
-  if (units.objects.empty()) return std::nullopt;
+/// The plan in the first line; nothing when that is not complete.
+std::optional<RunDirectory::Begun> read_plan(JournalReader& units, const std::string& path) {
+  const auto line = units.next();
+  if (!line) return std::nullopt;
   try {
-    return plan_from(Json::parse(units.objects.front()));
+    return plan_from(Json::parse(*line));
   } catch (const nlohmann::json::exception& error) {
     throw InputError(path + ":1: no plan of a campaign: " + error.what());
   } catch (const InputError& error) {
@@ -70,36 +74,55 @@ bool is_short(const CampaignPlan& plan, const UnitRecord& record, std::int64_t c
   return unit.kind == Unit::Kind::block && record.end < std::min(unit.first_case + kBlockCases, cases);
 }
 
-/// How many lines count, the plan's among them.
-std::size_t restore_units(const JournalContent& lines, const CampaignPlan& plan, std::int64_t cases,
-                          CampaignState& state, const std::string& path) {
-  std::size_t line = 1;
+/// Calls `take` for the record in the line that was read last, and names the line when it is none.
+template <typename Take>
+bool take_line(const JournalReader& lines, const std::string& path, const Take& take) {
   try {
-    for (; line < lines.objects.size(); ++line) {
-      const UnitRecord record = unit_from_json(lines.objects[line]);
-      if (is_short(plan, record, cases)) break;
+    return take();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}:{}: {}", path, lines.line(), error.what()));
+  }
+}
+
+/// The records behind the plan. Gives the end of those that count, in bytes.
+std::uint64_t restore_units(JournalReader& lines, const CampaignPlan& plan, std::int64_t cases, CampaignState& state,
+                            const std::string& path) {
+  std::uint64_t end = lines.end();
+  for (auto line = lines.next(); line; line = lines.next()) {
+    const bool counts = take_line(lines, path, [&] {
+      const UnitRecord record = unit_from_json(*line);
+      if (is_short(plan, record, cases)) return false;
       state.add_unit(record);
-    }
-  } catch (const InputError& error) {
-    throw InputError(path + ":" + std::to_string(line + 1) + ": " + error.what());
+      return true;
+    });
+    if (!counts) break;
+    end = lines.end();
   }
-  return line;
+  return end;
 }
 
-std::size_t restore_findings(const JournalContent& lines, CampaignState& state, const std::string& path) {
-  std::size_t line = 0;
-  try {
-    for (; line < lines.objects.size() && line < state.tasks().size(); ++line) {
-      state.add_finding(finding_from_json(lines.objects[line]));
-    }
-  } catch (const InputError& error) {
-    throw InputError(path + ":" + std::to_string(line + 1) + ": " + error.what());
+/// Findings whose tasks the units gave. Gives the end of those that count, in bytes.
+std::uint64_t restore_findings(CampaignState& state, const std::string& path) {
+  JournalReader lines(path);
+  std::uint64_t end = 0;
+  while (state.next_finding() < state.tasks().size()) {
+    const auto line = lines.next();
+    if (!line) break;
+    take_line(lines, path, [&] {
+      state.add_finding(finding_from_json(*line));
+      return true;
+    });
+    end = lines.end();
   }
-  return line;
+  return end;
 }
 
-std::uint64_t bytes_of(const JournalContent& content, std::size_t lines) {
-  return lines == 0 ? 0 : content.ends[lines - 1];
+/// The end of what is complete, in bytes.
+std::uint64_t end_of(const std::string& path) {
+  JournalReader lines(path);
+  while (lines.next()) {
+  }
+  return lines.end();
 }
 
 }  // namespace
@@ -109,17 +132,15 @@ RunDirectory::RunDirectory(std::string folder, bool resume) : folder_(std::move(
   fs::create_directories(folder_ + "/findings", error);
   if (error) throw InputError(folder_ + ": cannot be made: " + error.message());
   lock_ = std::make_unique<FolderLock>(folder_);
-  unit_lines_ = read_journal(path(kUnits));
-  finding_lines_ = read_journal(path(kFindings));
-  begun_ = plan_of(unit_lines_, path(kUnits));
+  JournalReader units(path(kUnits));
+  begun_ = read_plan(units, path(kUnits));
   if (begun_ && !resume) throw InputError(folder_ + ": has a campaign already; --resume goes on with it");
 }
 
-void RunDirectory::open_journals(std::size_t units, std::size_t findings) {
-  units_ = std::make_unique<Journal>(path(kUnits), bytes_of(unit_lines_, units));
-  findings_ = std::make_unique<Journal>(path(kFindings), bytes_of(finding_lines_, findings));
-  const JournalContent times = read_journal(path(kTimes));
-  times_ = std::make_unique<Journal>(path(kTimes), bytes_of(times, begun_ ? times.ends.size() : 0));
+void RunDirectory::open_journals(std::uint64_t units_end, std::uint64_t findings_end) {
+  units_ = std::make_unique<Journal>(path(kUnits), units_end);
+  findings_ = std::make_unique<Journal>(path(kFindings), findings_end);
+  times_ = std::make_unique<Journal>(path(kTimes), begun_ ? end_of(path(kTimes)) : 0);
 }
 
 void RunDirectory::begin(const CampaignPlan& plan, std::int64_t cases) {
@@ -128,9 +149,10 @@ void RunDirectory::begin(const CampaignPlan& plan, std::int64_t cases) {
 }
 
 void RunDirectory::restore(CampaignState& state, std::int64_t cases) {
-  const std::size_t units = restore_units(unit_lines_, begun_->plan, cases, state, path(kUnits));
-  const std::size_t findings = restore_findings(finding_lines_, state, path(kFindings));
-  open_journals(units, findings);
+  JournalReader units(path(kUnits));
+  units.next();  // the plan
+  const std::uint64_t units_end = restore_units(units, begun_->plan, cases, state, path(kUnits));
+  open_journals(units_end, restore_findings(state, path(kFindings)));
   for (const CampaignFinding& finding : state.summary().findings) write_case_of(finding);
 }
 
@@ -161,12 +183,12 @@ std::optional<RecordedCampaign> read_campaign(const std::string& folder) {
   const std::string units = folder + "/" + kUnits;
   const std::string findings = folder + "/" + kFindings;
   if (!fs::exists(units)) throw InputError(folder + ": has no campaign");
-  const JournalContent unit_lines = read_journal(units);
-  const auto begun = plan_of(unit_lines, units);
+  JournalReader lines(units);
+  const auto begun = read_plan(lines, units);
   if (!begun) return std::nullopt;
   CampaignState state(begun->plan);
-  restore_units(unit_lines, begun->plan, 0, state, units);
-  restore_findings(read_journal(findings), state, findings);
+  restore_units(lines, begun->plan, 0, state, units);
+  restore_findings(state, findings);
   return RecordedCampaign{begun->plan, state.summary()};
 }
 

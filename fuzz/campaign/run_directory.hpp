@@ -44,12 +44,10 @@ class RunDirectory {
  private:
   void write_case_of(const CampaignFinding& finding) const;
   std::string path(const char* name) const { return folder_ + "/" + name; }
-  void open_journals(std::size_t units, std::size_t findings);
+  void open_journals(std::uint64_t units_end, std::uint64_t findings_end);
 
   std::string folder_;
   std::unique_ptr<FolderLock> lock_;
-  JournalContent unit_lines_;
-  JournalContent finding_lines_;
   std::optional<Begun> begun_;
   std::unique_ptr<Journal> units_;
   std::unique_ptr<Journal> findings_;

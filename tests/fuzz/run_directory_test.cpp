@@ -178,8 +178,21 @@ TEST_F(RunDirectoryTest, RefusesAnotherCampaignsRecords) {
   const std::size_t first = text.find('\n') + 1;
   const std::size_t second = text.find('\n', first) + 1;
   const std::string folder = folder_with("units.jsonl", text.substr(0, first) + text.substr(second));
-  EXPECT_THROW(read_campaign(folder), InputError);
+  const auto refusal = [](const std::string& refused) -> std::string {
+    try {
+      read_campaign(refused);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(refusal(folder), folder + "/units.jsonl:2: a unit is missing");
   EXPECT_THROW(run_in(folder, plan_), InputError);
+  std::string damaged = text;
+  damaged[first + 5] ^= 1;
+  EXPECT_EQ(refusal(folder_with("units.jsonl", damaged)), folder + "/units.jsonl:2: the record is damaged");
+  EXPECT_EQ(refusal(folder_with("units.jsonl", sealed("{\"a\":1}") + "\n")).find(folder + "/units.jsonl:1: no plan"),
+            0U);
   EXPECT_THROW(read_campaign(folder_.path("none")), InputError);
 }
 
