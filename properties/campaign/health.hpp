@@ -32,7 +32,7 @@ struct CaseTimes {
   std::int64_t slowest_number = 0;  ///< of the case that took longest
 };
 
-/// "slow-case": a case took more than 10 seconds, more than one part in 20 of the time of all cases and more than twice
+/// "slow-case": a case took more than 10 seconds, more than one part in 10 of the time of all cases and more than twice
 /// the mean. Depends on the machine, unlike the rest: it is no part of a campaign's results.
 std::optional<HealthProblem> check_speed(const CaseTimes& times);
 
