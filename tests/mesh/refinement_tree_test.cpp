@@ -54,6 +54,16 @@ TEST(RefinementTree, SubdividesAlongTheAxisOfTheLevel) {
   EXPECT_EQ(tree.max_level(), 4);
 }
 
+// 3^39 fits into 64 bits and its m-fold does not: the point is just below 1, in the last third.
+TEST(RefinementTree, FindsPointsWhoseDenominatorsNearlyFill64Bits) {
+  RefinementTree tree(Setting{{3, 3, 3}, 3, {2, 1, 1}});
+  tree.subdivide(tree.leaf_at(point(0, 0, 0)));
+  tree.update_ranks();
+  const std::int64_t large = 4'052'555'153'018'976'267;
+  EXPECT_EQ(literal::box(tree, tree.leaf_at(point(Rational(large - 1, large), 0, 0))),
+            (reference::Box{{over(2, 3), 0, 0}, {1, 1, 1}}));
+}
+
 // Half-open elements: 1/2 is the second half's; the domain's upper faces belong to the last element.
 TEST(RefinementTree, APointOnAFaceBelongsToTheUpperElement) {
   RefinementTree tree(Setting{{3, 3, 3}, 2, {2, 2, 2}});
