@@ -41,6 +41,16 @@ TEST(Oracle, KeepsOtherViolationsAndWhatCannotBeDecidedApart) {
   EXPECT_EQ(oracle.others().at("four"), of_domain(4));
 }
 
+// Only what is too large is no violation: an error of our own must not make the minimizer look elsewhere.
+TEST(Oracle, PassesInternalErrorsOn) {
+  const Predicate fails = [](const Case& test_case) -> ViolationKind {
+    if (test_case.domain[0] < 9) throw InternalError("a fault of the decision");
+    return "odd";
+  };
+  Oracle oracle(fails, of_domain(9), {});
+  EXPECT_THROW(oracle.asks(of_domain(7)), InternalError);
+}
+
 TEST(Oracle, StopsWhenToldOrWhenTheBudgetIsUsedUp) {
   EXPECT_THROW(Oracle(odd, of_domain(2), {}), InputError);
   Oracle two(odd, of_domain(9), {.budget = 2, .stop = {}, .evaluated = {}});
