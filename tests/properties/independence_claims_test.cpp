@@ -67,6 +67,11 @@ TEST(IndependenceClaim, SaysNothingWithoutItsHypothesis) {
   EXPECT_EQ(decided(case_of("degree 3 3 3\ngrading 2\ndomain 3 4 4\n")).verdict.outcome, Outcome::not_applicable);
 }
 
+// 17^3 active nodes are too many for an elimination: that decides nothing.
+TEST(IndependenceClaim, IsUndecidedForTooManyNodes) {
+  EXPECT_EQ(decided(case_of("degree 3 3 3\ngrading 2\ndomain 20 20 20\n")).verdict.outcome, Outcome::undecided);
+}
+
 // A published planar T-mesh that is not analysis-suitable, and still its blending functions are independent: the
 // converse of the corollary is false.
 TEST(IndependenceClaim, ConverseIsFalse) {

@@ -405,6 +405,18 @@ TEST(MarkSets, DependOnTheMeshAlone) {
   EXPECT_EQ(boxes_of_sets(one)[1].size(), 13U);
 }
 
+// Among the finest elements are those whose patches have coarser ones: a set without any of them tries little.
+TEST(MarkSets, HaveOneOfTheFinestElementsEach) {
+  const RefinementTree tree =
+      tree_of("degree 3 3 3\ngrading 2\ndomain 6 5 4\nrefine 0 0 0\nrefine 0 0 0\nrefine 0 0 0\n");
+  const std::vector<Elements> sets = mark_sets(tree);
+  ASSERT_EQ(sets.size(), 9U);
+  for (std::size_t i = 4; i < sets.size(); ++i) {
+    const auto finest = [&](std::int32_t leaf) { return tree.node(leaf).level == 3; };
+    EXPECT_TRUE(std::any_of(sets[i].begin(), sets[i].end(), finest)) << i;
+  }
+}
+
 /// A set that has an element too few or too many is not taken for the closure; the literal code agrees on each.
 TEST(ClosureLeast, JudgesEachSetAsTheLiteralCodeDoes) {
   Draw draw(56);
