@@ -7,7 +7,7 @@ set -euo pipefail
 
 faults=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$faults/../.." && pwd)
-work=$root/build/faults jobs=1 search_seconds=15 fresh=no names=()
+work=$root/build/faults jobs=1 search_seconds=12 fresh=no names=()
 while (($#)); do
   case $1 in
     --work) work=$2; shift ;;
@@ -20,9 +20,12 @@ while (($#)); do
   shift
 done
 mkdir -p "$work/tree" "$work/results" "$work/logs"
+# Compilers of an interrupted run hold the lock until they have ended: what they write is older than what is copied now.
+exec 9>"$work/lock"
+flock 9
 tree=$(cd -P "$work/tree" && pwd)
 build=$tree/build/release
-programs=(exact mesh refine spline gen reference minimize properties reports cli fuzz)
+programs=(exact mesh refine spline gen properties minimize cli reports reference fuzz)
 
 # The copy gets a new time stamp only where it differs, so that as little as possible is built.
 copy_tree() {
@@ -34,7 +37,7 @@ copy_tree() {
     [[ -f $root/$file ]] || continue
     cmp -s "$root/$file" "$tree/$file" && continue
     mkdir -p "$(dirname "$tree/$file")"
-    cp -p --no-preserve=timestamps "$root/$file" "$tree/$file"
+    cp --no-preserve=timestamps "$root/$file" "$tree/$file"
   done <"$work/files"
 }
 
@@ -73,21 +76,27 @@ run_tests() {
   return 0
 }
 
-# first_test FOLDER: the mirrored program first. Sets test and test_seconds.
+# first_test FOLDER: the mirrored program first, then the others, their slow tests last. Sets test and test_seconds.
 first_test() {
-  local program order=("$1") begin spent=0 slow found
+  local program pass passes=("$1 quick" "$1 slow") begin spent=0 tests found
   test=- test_seconds=-
-  for program in "${programs[@]}"; do [[ $program == "$1" ]] || order+=("$program"); done
-  for program in "${order[@]}"; do
+  for pass in quick slow; do
+    for program in "${programs[@]}"; do [[ $program == "$1" ]] || passes+=("$program $pass"); done
+  done
+  for pass in "${passes[@]}"; do
+    program=${pass% *} tests=$(slow_tests "${pass% *}")
     has_program "$program" || continue
     build_targets "test_$program" || { test="does not compile"; return; }
-    slow=$(slow_tests "$program")
-    begin=$(date +%s.%N)
-    if run_tests "$program" "-Faults.*:$slow" || { [[ -n $slow ]] && run_tests "$program" "$slow-Faults.*"; }; then
-      test="$program: $found" test_seconds=$(awk -v a="$spent" -v b="$(elapsed "$begin")" 'BEGIN { printf "%.1f", a + b }')
-      return
+    if [[ $pass == *slow ]]; then
+      [[ -n $tests ]] || continue
+      tests="$tests-Faults.*"
+    else
+      tests="-Faults.*:$tests"
     fi
+    begin=$(date +%s.%N)
+    if run_tests "$program" "$tests"; then test="$program: $found"; fi
     spent=$(awk -v a="$spent" -v b="$(elapsed "$begin")" 'BEGIN { printf "%.1f", a + b }')
+    [[ $test == - ]] || { test_seconds=$spent; return; }
   done
 }
 
@@ -144,10 +153,11 @@ try_fault() {
   log=$work/logs/$name
   rm -f "$log".*
   file=$(sed -n 's/^+++ b\///p' "$patch")
+  cp "$tree/$file" "$work/original"
   (cd "$tree" && patch -p1 -F0 -s --no-backup-if-mismatch) <"$patch"
   first_test "$(folder_of "$file")"
   first_search
-  cp --no-preserve=timestamps "$root/$file" "$tree/$file"
+  cp "$work/original" "$tree/$file"
   if [[ $test$search == *"does not compile"* ]]; then
     echo "$name does not compile: see $log.build" >&2
     return
@@ -215,7 +225,7 @@ try_unchanged
 for patch in "$faults"/*.patch; do
   name=$(basename "$patch" .patch)
   if ((${#names[@]})); then
-    [[ " ${names[*]} " == *" $name "* || " ${names[*]} " == *" ${name#*-} "* ]] || continue
+    [[ " ${names[*]} " == *" $name "* || " ${names[*]} " == *" ${name%%-*} "* || " ${names[*]} " == *" ${name#*-} "* ]] || continue
     rm -f "$work/results/$name"
   fi
   is_known "$patch" || try_fault "$patch"
