@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <ctime>
 
 #include "lib/exact/errors.hpp"
 #include "lib/refine/replay.hpp"
@@ -13,11 +14,16 @@ namespace asts {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Processor time, so that what is slow does not depend on what else the machine does.
+class Stopwatch {
+ public:
+  std::int64_t microseconds() const {
+    return static_cast<std::int64_t>(std::clock() - begin_) * 1'000'000 / CLOCKS_PER_SEC;
+  }
 
-std::int64_t microseconds(Clock::duration time) {
-  return std::chrono::duration_cast<std::chrono::microseconds>(time).count();
-}
+ private:
+  std::clock_t begin_ = std::clock();
+};
 
 /// Calls visit(step, mesh) for the mesh after each step, from step 0 on; for an explicit mesh once.
 void for_each_mesh(const Case& content, const std::function<void(std::size_t step, MeshUnderTest& mesh)>& visit) {
@@ -52,6 +58,9 @@ bool is_initial(const Mesh& mesh) {
   return true;
 }
 
+/// A case that was drawn for a claim about sequences alone may have meshes that are too large to be looked at.
+bool wants_meshes(const CampaignCase& one) { return one.only == nullptr || one.only->on_mesh != nullptr; }
+
 /// The lowest power of 2 that is not less. REQUIRES: value >= 1.
 std::int64_t power_above(std::int64_t value) {
   return static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(value)));
@@ -79,15 +88,17 @@ UnitWork::UnitWork(const CampaignPlan& plan, std::int64_t unit, std::int64_t cas
 }
 
 void UnitWork::make_case(std::int64_t number) {
-  const auto begin = Clock::now();
+  const Stopwatch watch;
   watch_.at_mesh(number, -1);
   MadeCase made{number, campaign_case(plan_, number), {}};
-  for_each_mesh(made.made.content, [&](std::size_t step, const MeshUnderTest& mesh) {
-    watch_.at_mesh(number, static_cast<std::int64_t>(step));
-    made.meshes.push_back(place_of(fingerprint_of(mesh.mesh())));
-  });
+  if (wants_meshes(made.made)) {
+    for_each_mesh(made.made.content, [&](std::size_t step, const MeshUnderTest& mesh) {
+      watch_.at_mesh(number, static_cast<std::int64_t>(step));
+      made.meshes.push_back(place_of(fingerprint_of(mesh.mesh())));
+    });
+  }
   made_.push_back(std::move(made));
-  times_.total += microseconds(Clock::now() - begin);
+  times_.total += watch.microseconds();
 }
 
 std::size_t UnitWork::place_of(const Fingerprint& fingerprint) {
@@ -105,15 +116,15 @@ UnitRecord UnitWork::try_fresh(std::vector<bool> fresh) {
                                  count_violation(place, subject, verdict);
                                }});
   if (unit_.kind == Unit::Kind::alone) {
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     trials.alone(unit_.place, Extent::short_run);
-    times_.total += microseconds(Clock::now() - begin);
+    times_.total += watch.microseconds();
   }
   for (const std::int64_t number : stored_) decide_again(number);
   for (const MadeCase& made : made_) {
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     try_case(made, trials);
-    const std::int64_t time = microseconds(Clock::now() - begin);
+    const std::int64_t time = watch.microseconds();
     times_.total += time;
     if (time > times_.slowest) {
       times_.slowest = time;
@@ -151,6 +162,7 @@ void UnitWork::try_case(const MadeCase& made, Trials& trials) {
   TrialSubject subject(made.number, content, made.made.bias.c_str());
   subject.only = made.made.only;
   const bool sequence = Trials::is_sequence(content);
+  if (!wants_meshes(made.made)) return try_sequence(subject, trials);
   const auto is_fresh = [this](std::size_t place) { return static_cast<bool>(fresh_[place]); };
   if (!sequence && std::none_of(made.meshes.begin(), made.meshes.end(), is_fresh)) return;
   for_each_mesh(content, [&](std::size_t step, MeshUnderTest& mesh) {
@@ -158,8 +170,17 @@ void UnitWork::try_case(const MadeCase& made, Trials& trials) {
     subject.step = step;
     try_mesh(subject, mesh, made.meshes[step], trials);
   });
-  if (!sequence) return;
+  if (sequence) try_sequence(subject, trials);
+}
+
+void UnitWork::try_sequence(TrialSubject& subject, Trials& trials) {
   ++record_.sequences;
+  if (subject.bounds.grading == 0) {  // no mesh was looked at
+    const Case& content = subject.whole;
+    subject.bounds = {content.domain, content.degree, content.grading, 0, 0, 0};
+    watch_.at_mesh(subject.number, static_cast<std::int64_t>(content.steps.size()));
+  }
+  subject.step = subject.whole.steps.size();
   trials.on_sequence(subject);
 }
 
@@ -202,7 +223,9 @@ void UnitWork::finish(const Trials& trials) {
     if (record.trials() > 0) record_.records[record.claim] = record;
   }
   for (auto& [key, violation] : violations_) record_.violations.push_back(std::move(violation));
-  for (const auto& time : trials.times()) times_.claims.push_back(microseconds(time));
+  for (const auto& time : trials.times()) {
+    times_.claims.push_back(std::chrono::duration_cast<std::chrono::microseconds>(time).count());
+  }
 }
 
 }  // namespace asts

@@ -19,7 +19,7 @@ struct UnitWatch {
   std::function<void(const Claim& claim)> at_claim;
 };
 
-/// Times of a unit, in microseconds: for people and for health checks, never for results.
+/// Processor times of a unit, in microseconds: for people and for health checks, never for results.
 struct UnitTimes {
   std::int64_t total = 0;
   std::int64_t slowest = 0;          ///< of its cases
@@ -31,7 +31,9 @@ struct UnitTimes {
 struct MadeCase {
   std::int64_t number;
   CampaignCase made;
-  std::vector<std::size_t> meshes;  ///< of each step, from step 0 on: its place among the unit's meshes
+  /// Of each step, from step 0 on: its place among the unit's meshes. Empty when it was drawn for a claim about
+  /// sequences.
+  std::vector<std::size_t> meshes;
 };
 
 /// The work on one unit, in two parts: first what meshes there are, then, told which of them no earlier unit had, the
@@ -57,6 +59,7 @@ class UnitWork {
   std::size_t place_of(const Fingerprint& fingerprint);
   void decide_again(std::int64_t number);
   void try_case(const MadeCase& made, Trials& trials);
+  void try_sequence(TrialSubject& subject, Trials& trials);
   void try_mesh(TrialSubject& subject, MeshUnderTest& mesh, std::size_t place, Trials& trials);
   void count_mesh(const MeshUnderTest& mesh);
   void count_violation(std::size_t place, const TrialSubject* subject, const Verdict& verdict);
