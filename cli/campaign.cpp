@@ -39,6 +39,7 @@ CampaignPlan plan_of(const CampaignOptions& options) {
   if (plan.claims.empty()) {
     for (const Claim& claim : all_claims()) plan.claims.push_back(&claim);
   }
+  plan.named = !options.claims.empty();
   plan.seed = options.seed.value_or(plan.seed);
   plan.stored = stored_cases(options.replayed, plan.claims);
   return plan;
@@ -52,6 +53,7 @@ CampaignPlan resumed_plan(const CampaignOptions& options, const CampaignPlan& be
   }
   if (!asked.seed) asked.seed = begun.seed;
   CampaignPlan plan = plan_of(asked);
+  plan.named = begun.named;
   if (asked.replayed.empty()) plan.stored = begun.stored;
   if (plan == begun) return plan;
   throw InputError(options.folder + ": was begun by another version, or with other claims, seed or stored cases");
@@ -76,17 +78,11 @@ CampaignRun run_of(const CampaignOptions& options, const RunDirectory* folder) {
   return run;
 }
 
-/// Whether claims were named, then or now: then they are expected to hold, refuted or not.
-bool names_claims(const CampaignPlan& plan, const CampaignOptions& options) {
-  return !options.claims.empty() || plan.claims.size() < all_claims().size();
-}
-
-int exit_code(const CampaignPlan& plan, const CampaignOptions& options, const CampaignResult& result, bool healthy) {
+int exit_code(const CampaignResult& result, bool healthy) {
   if (result.interrupted) return kInterrupted;
-  const bool named = names_claims(plan, options);
   const auto& findings = result.summary.findings;
-  const bool violated = std::any_of(findings.begin(), findings.end(),
-                                    [named](const CampaignFinding& finding) { return named || !finding.expected; });
+  const bool violated =
+      std::any_of(findings.begin(), findings.end(), [](const CampaignFinding& finding) { return !finding.expected; });
   return violated ? kViolated : healthy ? kHolds : kFailure;
 }
 
@@ -112,7 +108,7 @@ int campaign(const CampaignOptions& options) {
   print(options.format == Format::json ? json : text);
   const auto slow = check_speed(result.times);
   if (slow) warn("asts: " + slow->check + ": " + slow->says + "\n");
-  return exit_code(plan, options, result, problems.empty() && !slow);
+  return exit_code(result, problems.empty() && !slow);
 }
 
 }  // namespace asts::cli

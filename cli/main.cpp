@@ -90,9 +90,10 @@ class CommandLine {
     CLI::App* command = app_.add_subcommand("campaign", "try claims on random cases, for long, and keep what is found");
     command->add_option("--claim", campaign_.claims, "this claim is expected to hold (asts claims); may be given again")
         ->allow_extra_args(false);
-    auto* cases = command->add_option("--cases", campaign_.cases, "how many random cases")->check(CLI::PositiveNumber);
+    auto* cases =
+        command->add_option("--cases", campaign_.cases, "how many random cases")->check(CLI::Range(1L, 1L << 50));
     command->add_option("--time", campaign_.seconds, "instead: as many as fit into so many seconds")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1, 1'000'000'000))
         ->excludes(cases);
     command->add_option("--seed", campaign_.seed, "one seed, one result");
     command->add_option("--jobs", campaign_.jobs, "processes at the same time; the result does not depend on it")
@@ -100,7 +101,7 @@ class CommandLine {
     command->add_option("--out", campaign_.folder, "the folder that records the campaign");
     command->add_flag("--resume", campaign_.resume, "go on where the folder's records end");
     command->add_option("--timeout", campaign_.timeout, "seconds that a claim may take on one mesh")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1'000'000));
     command->add_option("--memory", campaign_.memory, "MB that a process may take")->check(CLI::Range(64, 1 << 24));
     command->add_option("--replay", campaign_.replayed, "decide the cases of this collection first (asts replay)");
     add_format(*command, campaign_.format);

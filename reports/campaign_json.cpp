@@ -83,6 +83,7 @@ std::string campaign_json(const CampaignSummary& summary, std::span<const Health
                   {"distinct", summary.distinct},
                   {"trivial", summary.trivial},
                   {"sequences", summary.sequences},
+                  {"deaths", summary.deaths},
                   {"biases", biases_json(summary)},
                   {"generated", generated_json(summary)},
                   {"records", list(summary.records, record_json)},

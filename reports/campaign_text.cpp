@@ -23,6 +23,10 @@ std::string counts(const CampaignSummary& summary) {
       summary.cases, summary.sequences, summary.meshes, summary.distinct, summary.trivial);
 }
 
+std::string deaths(const CampaignSummary& summary) {
+  return summary.deaths == 0 ? "" : fmt::format("the code under test did not come back {} times\n", summary.deaths);
+}
+
 std::string row(const LedgerRecord& record) {
   return fmt::format(fmt::runtime(kRow), record.claim, status_of(record), result_name(record.result()), record.meshes,
                      record.sequences, record.alone, record.trials_met, record.met, record.violated, record.undecided);
@@ -106,7 +110,7 @@ std::string finding_text(const CampaignFinding& finding) {
 }
 
 std::string campaign_text(const CampaignSummary& summary, std::span<const HealthProblem> problems) {
-  return counts(summary) + "\n" + table(summary) + findings(summary) + health(problems);
+  return counts(summary) + deaths(summary) + "\n" + table(summary) + findings(summary) + health(problems);
 }
 
 }  // namespace asts

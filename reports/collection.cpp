@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lib/mesh/case_file.hpp"
+#include "lib/mesh/fnv1a.hpp"
 
 namespace asts {
 
@@ -30,9 +31,7 @@ std::optional<Statement> statement_before(std::string_view stem) {
 }  // namespace
 
 std::string collection_hash(const Case& test_case) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : write_case(test_case)) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return fmt::format("{:016x}", hash);
+  return fmt::format("{:016x}", fnv1a(write_case(test_case)));
 }
 
 std::string collection_name(const std::string& statement, const std::string& kind, const Case& test_case) {

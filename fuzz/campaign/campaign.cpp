@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fuzz/campaign/open_units.hpp"
+#include "lib/exact/errors.hpp"
 
 namespace asts {
 
@@ -75,14 +76,19 @@ class Campaign {
   /// First what has to be done again, as others wait for it; then tasks, so that findings come early.
   void begin_work(Seat& seat) {
     seat.unit = units_->take_again();
-    if (!seat.unit && next_task_ < state_.tasks().size()) seat.task = next_task_++;
+    if (!seat.unit && !tasks_again_.empty()) {
+      seat.task = tasks_again_.front();
+      tasks_again_.pop_front();
+    } else if (!seat.unit && next_task_ < state_.tasks().size()) {
+      seat.task = next_task_++;
+    }
     if (seat.idle() && may_begin_units()) seat.unit = units_->begin();
     if (seat.idle()) return;
     if (!seat.worker) seat.worker = std::make_unique<Worker>(plan_, run_.limits);
     if (seat.unit) {
       seat.worker->start(units_->order(*seat.unit));
     } else {
-      seat.worker->start(state_.tasks()[*seat.task]);
+      seat.worker->start(task_of(*seat.task));
     }
   }
 
@@ -91,8 +97,11 @@ class Campaign {
     for (const Seat& seat : seats_) files.push_back({seat.worker ? seat.worker->file() : -1, POLLIN, 0});
     const int ready = poll(files.data(), files.size(), kPollMilliseconds);
     for (std::size_t i = 0; i < seats_.size(); ++i) {
-      if (ready > 0 && files[i].revents != 0) hear(seats_[i]);
-      if (seats_[i].worker) seats_[i].worker->stop_if_stuck();
+      if (ready > 0 && files[i].revents != 0) {
+        hear(seats_[i]);
+      } else if (ready >= 0 && seats_[i].worker) {
+        seats_[i].worker->stop_if_stuck();
+      }
     }
     answer();
     record();
@@ -131,15 +140,33 @@ class Campaign {
 
   void bury(Seat& seat) {
     const UnitDeath death = seat.worker->death();
+    const std::string tried = seat.worker->tried();
     seat.worker.reset();
     if (seat.task) {
-      const FindingTask& task = state_.tasks()[*seat.task];
-      findings_[*seat.task] = unminimized(plan_, task, task.says + "its minimization ended: " + death.says);
+      bury_task(*seat.task, death, tried);
     } else if (seat.unit) {
       units_->has_died(*seat.unit, death);
     }
     seat.task.reset();
     seat.unit.reset();
+  }
+
+  /// First it is worked out again with the case as it was drawn, then given up.
+  void bury_task(std::size_t number, const UnitDeath& death, const std::string& tried) {
+    if (spoiled_.contains(number)) {
+      findings_[number] = as_drawn(plan_, task_of(number));
+      return;
+    }
+    FindingTask task = task_of(number);
+    task.spoiled = death;
+    task.spoiled_by = tried;
+    spoiled_[number] = std::move(task);
+    tasks_again_.push_back(number);
+  }
+
+  FindingTask task_of(std::size_t number) const {
+    const auto spoiled = spoiled_.find(number);
+    return spoiled != spoiled_.end() ? spoiled->second : state_.tasks()[number];
   }
 
   void record() {
@@ -154,7 +181,7 @@ class Campaign {
     for (auto found = findings_.find(state_.next_finding()); found != findings_.end();
          found = findings_.find(state_.next_finding())) {
       const FindingRecord record = finding_from_json(found->second);
-      if (folder_ != nullptr) folder_->add_finding(found->second, record.finding);
+      if (folder_ != nullptr) folder_->add_finding(found->second, record.findings);
       state_.add_finding(record);
       findings_.erase(found);
     }
@@ -192,13 +219,20 @@ class Campaign {
   std::optional<OpenUnits> units_;
   std::map<std::size_t, std::string> findings_;  ///< of tasks that are done and not recorded yet
   std::size_t next_task_ = 0;
+  std::deque<std::size_t> tasks_again_;
+  std::map<std::size_t, FindingTask> spoiled_;  ///< tasks whose working out did not come back
   CaseTimes times_;
 };
 
 }  // namespace
 
 CampaignResult run_campaign(const CampaignPlan& plan, const CampaignRun& run, RunDirectory* folder) {
-  return Campaign(plan, run, folder).go();
+  Campaign campaign(plan, run, folder);
+  try {
+    return campaign.go();
+  } catch (const InputError& error) {
+    throw InternalError(std::string("a worker's message: ") + error.what());  // nobody's input is read here
+  }
 }
 
 }  // namespace asts

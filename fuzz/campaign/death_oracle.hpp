@@ -1,8 +1,7 @@
 #pragma once
 
-#include <chrono>
+#include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "properties/statement.hpp"
@@ -14,6 +13,8 @@ struct Ending {
   /// Empty when it came back; else "crash", "timeout", "memory" or "exception".
   std::string kind;
   std::string says;  ///< the signal, or what the exception said
+
+  friend bool operator==(const Ending&, const Ending&) = default;
 };
 
 /// How a process ended, by its status from waitpid. REQUIRES: it ended.
@@ -27,8 +28,8 @@ Ending ending_of(int status);
 /// Whether an ending is likely to come again, and soon: "timeout" takes its time.
 bool can_be_tried_again(const std::string& kind);
 
-/// Decides a statement for a case in a process of its own; `kind` if it ends so, else nothing.
-/// Cost: that of a fork more than the decision; an ending takes at most a minute.
-std::optional<std::string> death_of(const Statement& statement, const Case& test_case, const std::string& kind);
+/// Decides a statement for a case in a process of its own, and tells how that ended.
+/// Cost: that of a fork more than the decision, `timeout_seconds` at most. Throws ResourceError without a process.
+Ending ending_alone(const Statement& statement, const Case& test_case, std::int64_t timeout_seconds);
 
 }  // namespace asts

@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <cstring>
+#include <filesystem>
 
 #include "lib/exact/errors.hpp"
+#include "lib/mesh/fnv1a.hpp"
 
 namespace asts {
 
@@ -15,12 +17,6 @@ namespace {
 constexpr std::string_view kSealBegin = ",\"check\":\"";
 constexpr std::string_view kSealEnd = "\"}";
 constexpr std::size_t kDigits = 16;
-
-std::uint64_t fnv1a(std::string_view bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3ULL;
-  return hash;
-}
 
 /// Writes all of it; false when that cannot be done.
 bool write_all(int file, std::string_view bytes) {
@@ -34,6 +30,15 @@ bool write_all(int file, std::string_view bytes) {
 }
 
 std::string reason() { return std::strerror(errno); }
+
+/// A new name is on the disk when its folder is.
+void sync_folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const int file = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  fsync(file);
+  close(file);
+}
 
 }  // namespace
 
@@ -51,13 +56,16 @@ std::optional<std::string> unsealed(std::string_view line) {
   return sealed(whole) == line ? std::optional(whole) : std::nullopt;
 }
 
-JournalReader::JournalReader(std::string path) : path_(std::move(path)), file_(path_, std::ios::binary) {}
+JournalReader::JournalReader(std::string path) : path_(std::move(path)), file_(path_, std::ios::binary) {
+  if (!file_ && std::filesystem::exists(path_)) throw InputError(path_ + ": cannot be read");
+}
 
 /// With its line end, which is not returned.
 std::optional<std::string> JournalReader::next_line() {
   std::string line;
-  if (!std::getline(file_, line) || file_.eof()) return std::nullopt;
-  return line;
+  const bool complete = std::getline(file_, line) && !file_.eof();
+  if (file_.bad()) throw InputError(path_ + ": cannot be read");
+  return complete ? std::optional(line) : std::nullopt;
 }
 
 std::optional<std::string> JournalReader::next() {
@@ -83,6 +91,7 @@ Journal::Journal(std::string path, std::uint64_t bytes)
     close(file_);
     throw InputError(path_ + ": cannot be continued: " + why);
   }
+  sync_folder_of(path_);
 }
 
 Journal::~Journal() { close(file_); }
@@ -99,6 +108,7 @@ void replace_file(const std::string& path, std::string_view content) {
   if (!complete || std::rename(written.c_str(), path.c_str()) != 0) {
     throw ResourceError(path + ": cannot be written: " + reason());
   }
+  sync_folder_of(path);
 }
 
 FolderLock::FolderLock(const std::string& folder)

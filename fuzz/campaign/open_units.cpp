@@ -4,6 +4,13 @@
 
 namespace asts {
 
+namespace {
+
+/// Code that does not come back more often in one unit is of no use in the others either.
+constexpr std::size_t kMostDeaths = 128;
+
+}  // namespace
+
 OpenUnits::OpenUnits(const CampaignPlan& plan, const CampaignState& state, std::int64_t cases)
     : plan_(plan), state_(state), cases_(cases), next_(state.next_unit()), next_told_(next_) {}
 
@@ -50,10 +57,12 @@ void OpenUnits::is_done(std::int64_t unit, UnitRecord record, UnitTimes times) {
 void OpenUnits::has_died(std::int64_t unit, const UnitDeath& death) {
   waiting_.erase(unit);
   OpenUnit& open = open_.at(unit);
-  std::vector<std::int64_t>& skipped = open.order.skipped;
+  std::vector<Skip>& skipped = open.order.skipped;
   open.deaths.push_back(death);
-  if (!death.number || std::find(skipped.begin(), skipped.end(), *death.number) != skipped.end()) return give_up(unit);
-  skipped.push_back(*death.number);
+  const Skip skip{death.number.value_or(0), death.claim};
+  const bool tried_before = std::find(skipped.begin(), skipped.end(), skip) != skipped.end();
+  if (!death.number || tried_before || open.deaths.size() > kMostDeaths) return give_up(unit);
+  skipped.push_back(skip);
   again_.push_back(unit);
 }
 

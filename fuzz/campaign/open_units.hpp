@@ -23,7 +23,7 @@ class OpenUnits {
   std::int64_t next() const { return next_; }
   /// Begins the unit next().
   std::int64_t begin();
-  /// A unit that has to be done again, because a case of it did not come back.
+  /// A unit that has to be done again, because something in it did not come back.
   std::optional<std::int64_t> take_again();
   const UnitOrder& order(std::int64_t unit) const { return open_.at(unit).order; }
 
@@ -32,8 +32,8 @@ class OpenUnits {
   std::vector<std::pair<std::int64_t, std::vector<bool>>> answers();
 
   void is_done(std::int64_t unit, UnitRecord record, UnitTimes times);
-  /// The unit is to be done again without the case; where no case is to blame, it is given up, and nothing of it
-  /// counts.
+  /// The unit is to be done again without the claim on the case, or without the case when no claim was being tried.
+  /// Where no case is to blame, or too many are, it is given up: nothing of it counts but that its meshes occurred.
   void has_died(std::int64_t unit, const UnitDeath& death);
 
   struct Complete {

@@ -24,6 +24,7 @@ struct StoredCase {
 struct CampaignPlan {
   std::string version;  ///< of the program: another one may decide otherwise
   std::vector<const Claim*> claims;
+  bool named = false;  ///< somebody named the claims: they are expected to hold, refuted or not
   std::uint64_t seed = 1;
   std::int64_t minimize_budget = 5000;  ///< evaluations for each violation that is minimized
   std::vector<StoredCase> stored;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "lib/exact/errors.hpp"
@@ -21,8 +22,13 @@ constexpr const char* kTimes = "times.jsonl";
 constexpr int kFormat = 1;  ///< of the folder
 
 std::string plan_json(const CampaignPlan& plan, std::int64_t cases) {
-  Json json{{"campaign", kFormat},    {"version", plan.version}, {"claims", Json::array()},
-            {"seed", plan.seed},      {"cases", cases},          {"minimize_budget", plan.minimize_budget},
+  Json json{{"campaign", kFormat},
+            {"version", plan.version},
+            {"claims", Json::array()},
+            {"named", plan.named},
+            {"seed", plan.seed},
+            {"cases", cases},
+            {"minimize_budget", plan.minimize_budget},
             {"stored", Json::array()}};
   for (const Claim* claim : plan.claims) json["claims"].push_back(claim->id);
   for (const StoredCase& stored : plan.stored) {
@@ -46,6 +52,7 @@ RunDirectory::Begun plan_from(const Json& json) {
   begun.cases = json.at("cases");
   begun.plan.version = json.at("version");
   for (const Json& id : json.at("claims")) begun.plan.claims.push_back(claim_named(id));
+  begun.plan.named = json.at("named");
   begun.plan.seed = json.at("seed");
   begun.plan.minimize_budget = json.at("minimize_budget");
   for (const Json& one : json.at("stored")) {
@@ -117,30 +124,44 @@ std::uint64_t restore_findings(CampaignState& state, const std::string& path) {
   return end;
 }
 
-/// The end of what is complete, in bytes.
-std::uint64_t end_of(const std::string& path) {
-  JournalReader lines(path);
-  while (lines.next()) {
+/// The end of what is complete, in bytes; where something is damaged, nothing is.
+std::uint64_t end_of_times(const std::string& path) {
+  try {
+    JournalReader lines(path);
+    while (lines.next()) {
+    }
+    return lines.end();
+  } catch (const InputError&) {
+    return 0;  // nothing depends on it
   }
-  return lines.end();
+}
+
+/// A first line that is cut, or nothing: what may be begun anew.
+bool is_beginning(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  return !file || !std::getline(file, line) || file.eof();
 }
 
 }  // namespace
 
 RunDirectory::RunDirectory(std::string folder, bool resume) : folder_(std::move(folder)) {
   std::error_code error;
-  fs::create_directories(folder_ + "/findings", error);
+  for (const char* name : {kFindingFolder, kDeathFolder}) {
+    if (!error) fs::create_directories(folder_ + "/" + name, error);
+  }
   if (error) throw InputError(folder_ + ": cannot be made: " + error.message());
   lock_ = std::make_unique<FolderLock>(folder_);
   JournalReader units(path(kUnits));
   begun_ = read_plan(units, path(kUnits));
+  if (!begun_ && !is_beginning(path(kUnits))) throw InputError(path(kUnits) + ":1: no plan of a campaign");
   if (begun_ && !resume) throw InputError(folder_ + ": has a campaign already; --resume goes on with it");
 }
 
 void RunDirectory::open_journals(std::uint64_t units_end, std::uint64_t findings_end) {
   units_ = std::make_unique<Journal>(path(kUnits), units_end);
   findings_ = std::make_unique<Journal>(path(kFindings), findings_end);
-  times_ = std::make_unique<Journal>(path(kTimes), begun_ ? end_of(path(kTimes)) : 0);
+  times_ = std::make_unique<Journal>(path(kTimes), begun_ ? end_of_times(path(kTimes)) : 0);
 }
 
 void RunDirectory::begin(const CampaignPlan& plan, std::int64_t cases) {
@@ -160,8 +181,8 @@ void RunDirectory::write_case_of(const CampaignFinding& finding) const {
   if (finding.content) write_file(finding.file, write_case(*finding.content));
 }
 
-void RunDirectory::add_finding(const std::string& object, const CampaignFinding& finding) {
-  write_case_of(finding);
+void RunDirectory::add_finding(const std::string& object, const std::vector<CampaignFinding>& findings) {
+  for (const CampaignFinding& finding : findings) write_case_of(finding);
   findings_->append(object);
 }
 

@@ -14,8 +14,8 @@ namespace asts {
 ///   units.jsonl     first the plan, then a record for each unit, in their order;
 ///   findings.jsonl  the findings, in theirs; `asts validate` reads them;
 ///   times.jsonl     how long units took: for people; nothing else depends on it.
-/// Besides findings/*.case, and at the end what render_files() of the caller gives. What stands there is a function of
-/// the plan and the number of cases, but for times.jsonl and lock.
+/// Besides the cases of findings, findings/*.case and deaths/*.case, and what the caller writes. All of it is a
+/// function of the plan and the number of cases, but for times.jsonl and lock.
 class RunDirectory {
  public:
   /// Makes the folder if there is none, and locks it. Throws InputError when it cannot be written, when another program
@@ -37,7 +37,7 @@ class RunDirectory {
   void begin(const CampaignPlan& plan, std::int64_t cases);
 
   void add_unit(const std::string& object) { units_->append(object); }
-  void add_finding(const std::string& object, const CampaignFinding& finding);
+  void add_finding(const std::string& object, const std::vector<CampaignFinding>& findings);
   void add_times(std::int64_t unit, const UnitTimes& times);
   void write_file(const std::string& name, const std::string& content) const;
 

@@ -20,6 +20,8 @@ std::string key_of(const CampaignFinding& finding) {
   return finding.claim + '\n' + finding.kind + '\n' + what;
 }
 
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 }  // namespace
 
 CampaignState::CampaignState(const CampaignPlan& plan) : plan_(plan) {
@@ -51,14 +53,16 @@ void CampaignState::add_unit(const UnitRecord& record) {
     require(places_.contains(claim), "a claim is not of this campaign");
     merge(summary_.records[places_.at(claim)], one);
   }
-  for (const UnitViolation& violation : record.violations) add_task(violation);
-  for (const UnitDeath& death : record.deaths) add_task(death);
+  for (const UnitViolation& violation : record.violations) add_task(violation, "");
+  for (const UnitDeath& death : record.deaths) add_task(death, first_line(death.says));
+  summary_.deaths += static_cast<std::int64_t>(record.deaths.size());
 }
 
 template <typename Event>
-void CampaignState::add_task(const Event& event) {
-  const std::int64_t units = ++units_with_[{event.claim, event.kind}];
-  if (!std::has_single_bit(static_cast<std::uint64_t>(units))) return;
+void CampaignState::add_task(const Event& event, const std::string& details) {
+  const std::int64_t events = ++events_[{event.claim, event.kind, details}];
+  const bool stored = event.number.value_or(0) < 0;
+  if (!stored && !std::has_single_bit(static_cast<std::uint64_t>(events))) return;
   tasks_.push_back(task_of(static_cast<std::int64_t>(tasks_.size()), event));
 }
 
@@ -66,8 +70,9 @@ void CampaignState::add_finding(const FindingRecord& record) {
   require(findings_done_ < tasks_.size() && record.task == static_cast<std::int64_t>(findings_done_),
           "a finding of no task");
   ++findings_done_;
-  const auto [known, is_new] = known_.try_emplace(key_of(record.finding), summary_.findings.size());
-  if (is_new) summary_.findings.push_back(record.finding);
+  for (const CampaignFinding& finding : record.findings) {
+    if (known_.insert(key_of(finding)).second) summary_.findings.push_back(finding);
+  }
 }
 
 std::int64_t CampaignState::claims_met() const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <map>
+#include <string>
 #include <unordered_set>
 
 #include "fuzz/campaign/finding_task.hpp"
@@ -19,8 +21,9 @@ class CampaignState {
   void add_finding(const FindingRecord& record);
 
   std::int64_t next_unit() const { return next_unit_; }
-  /// What has come up so far. Of the units that violate a claim in one way the first, second, fourth, eighth, ... give
-  /// a task: often enough to meet different cases, seldom enough for claims that every mesh violates.
+  /// What has come up so far. Of the units that violate a claim in one way, and of the deaths with one first line, the
+  /// first, second, fourth, eighth, ... give a task: often enough to meet different cases, seldom enough for claims
+  /// that every mesh violates. Every stored case that is otherwise than recorded gives one.
   const std::vector<FindingTask>& tasks() const { return tasks_; }
   std::size_t next_finding() const { return findings_done_; }
 
@@ -35,16 +38,16 @@ class CampaignState {
 
  private:
   template <typename Event>
-  void add_task(const Event& event);
+  void add_task(const Event& event, const std::string& details);
 
   const CampaignPlan& plan_;
   std::int64_t next_unit_ = 0;
   std::vector<FindingTask> tasks_;
   std::size_t findings_done_ = 0;
   std::unordered_set<std::uint64_t> meshes_;
-  std::map<std::pair<std::string, std::string>, std::int64_t> units_with_;  ///< by claim and kind
-  std::map<std::string, std::size_t> places_;                               ///< of claims, by id
-  std::map<std::string, std::size_t> known_;  ///< places of findings, by claim, kind and case
+  std::map<std::array<std::string, 3>, std::int64_t> events_;  ///< by claim, kind and details
+  std::map<std::string, std::size_t> places_;                  ///< of claims, by id
+  std::unordered_set<std::string> known_;                      ///< claim, kind and case of findings
   CampaignSummary summary_;
 };
 

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "lib/exact/errors.hpp"
+#include "lib/mesh/fnv1a.hpp"
 #include "lib/refine/replay.hpp"
 #include "reports/collection.hpp"
 #include "reports/ledger_report.hpp"
@@ -68,17 +69,18 @@ std::int64_t power_above(std::int64_t value) {
 
 }  // namespace
 
-UnitWork::UnitWork(const CampaignPlan& plan, std::int64_t unit, std::int64_t cases,
-                   const std::vector<std::int64_t>& skipped, UnitWatch watch)
-    : plan_(plan), unit_(unit_of(plan, unit)), watch_(std::move(watch)) {
+UnitWork::UnitWork(const CampaignPlan& plan, std::int64_t unit, std::int64_t cases, std::vector<Skip> skipped,
+                   UnitWatch watch)
+    : plan_(plan), unit_(unit_of(plan, unit)), skipped_(std::move(skipped)), watch_(std::move(watch)) {
   record_.unit = unit;
   const auto make = [&](std::int64_t number) {
-    if (std::find(skipped.begin(), skipped.end(), number) == skipped.end()) make_case(number);
+    if (!skips(number, "")) make_case(number);
   };
   if (unit_.kind == Unit::Kind::stored) {
     for (std::size_t i = 0; i < plan.stored.size(); ++i) {
       const std::int64_t number = -1 - static_cast<std::int64_t>(i);
-      if (std::find(skipped.begin(), skipped.end(), number) == skipped.end()) stored_.push_back(number);
+      const bool skipped_now = skips(number, "") || skips(number, plan.stored[i].claim->id);
+      if (!skipped_now) stored_.push_back(number);
     }
   } else if (unit_.kind == Unit::Kind::block) {
     const std::int64_t end = std::min(unit_.first_case + kBlockCases, cases);
@@ -90,27 +92,32 @@ UnitWork::UnitWork(const CampaignPlan& plan, std::int64_t unit, std::int64_t cas
 void UnitWork::make_case(std::int64_t number) {
   const Stopwatch watch;
   watch_.at_mesh(number, -1);
-  MadeCase made{number, campaign_case(plan_, number), {}};
+  MadeCase made{number, campaign_case(plan_, number), 0, {}};
+  const std::uint64_t drawn_for = made.made.only == nullptr ? 0 : fnv1a(made.made.only->id);
   if (wants_meshes(made.made)) {
     for_each_mesh(made.made.content, [&](std::size_t step, const MeshUnderTest& mesh) {
       watch_.at_mesh(number, static_cast<std::int64_t>(step));
-      made.meshes.push_back(place_of(fingerprint_of(mesh.mesh())));
+      made.meshes.push_back(place_of(fingerprint_of(mesh.mesh()).low ^ drawn_for));
     });
   }
+  made.microseconds = watch.microseconds();
+  times_.total += made.microseconds;
   made_.push_back(std::move(made));
-  times_.total += watch.microseconds();
 }
 
-std::size_t UnitWork::place_of(const Fingerprint& fingerprint) {
-  const auto [found, is_new] = places_.try_emplace(fingerprint.low, meshes_.size());
-  if (is_new) meshes_.push_back(fingerprint.low);
+bool UnitWork::skips(std::int64_t number, std::string_view claim) const {
+  return std::find(skipped_.begin(), skipped_.end(), Skip{number, std::string(claim)}) != skipped_.end();
+}
+
+std::size_t UnitWork::place_of(std::uint64_t mesh) {
+  const auto [found, is_new] = places_.try_emplace(mesh, meshes_.size());
+  if (is_new) meshes_.push_back(mesh);
   return found->second;
 }
 
 UnitRecord UnitWork::try_fresh(std::vector<bool> fresh) {
   fresh_ = std::move(fresh);
-  Trials trials(plan_.claims, {nullptr,
-                               {},
+  Trials trials(plan_.claims, {nullptr, [this](std::size_t place) { return !skips(number_, plan_.claims[place]->id); },
                                [this](std::size_t place) { watch_.at_claim(*plan_.claims[place]); },
                                [this](std::size_t place, const TrialSubject* subject, const Verdict& verdict) {
                                  count_violation(place, subject, verdict);
@@ -126,8 +133,8 @@ UnitRecord UnitWork::try_fresh(std::vector<bool> fresh) {
     try_case(made, trials);
     const std::int64_t time = watch.microseconds();
     times_.total += time;
-    if (time > times_.slowest) {
-      times_.slowest = time;
+    if (made.microseconds + time > times_.slowest) {
+      times_.slowest = made.microseconds + time;
       times_.slowest_number = made.number;
     }
   }
@@ -156,6 +163,7 @@ void UnitWork::decide_again(std::int64_t number) {
 
 void UnitWork::try_case(const MadeCase& made, Trials& trials) {
   const Case& content = made.made.content;
+  number_ = made.number;
   ++record_.cases;
   ++record_.biases[made.made.bias];
   record_.meshes += static_cast<std::int64_t>(made.meshes.size());

@@ -19,6 +19,14 @@ struct UnitWatch {
   std::function<void(const Claim& claim)> at_claim;
 };
 
+/// What is left out, because it did not come back: a claim on the meshes of a case, or, without a claim, the case.
+struct Skip {
+  std::int64_t number = 0;
+  std::string claim;
+
+  friend bool operator==(const Skip&, const Skip&) = default;
+};
+
 /// Processor times of a unit, in microseconds: for people and for health checks, never for results.
 struct UnitTimes {
   std::int64_t total = 0;
@@ -31,6 +39,7 @@ struct UnitTimes {
 struct MadeCase {
   std::int64_t number;
   CampaignCase made;
+  std::int64_t microseconds = 0;  ///< that it took to make it
   /// Of each step, from step 0 on: its place among the unit's meshes. Empty when it was drawn for a claim about
   /// sequences.
   std::vector<std::size_t> meshes;
@@ -40,12 +49,12 @@ struct MadeCase {
 /// trials. So every mesh of a campaign is tried once, and results depend on the order of the units alone.
 class UnitWork {
  public:
-  /// Makes the cases and their meshes: random cases up to number `cases`, and none that is `skipped`, because it did
-  /// not come back.
-  UnitWork(const CampaignPlan& plan, std::int64_t unit, std::int64_t cases, const std::vector<std::int64_t>& skipped,
-           UnitWatch watch);
+  /// Makes the cases and their meshes: random cases up to number `cases`, without what is skipped.
+  UnitWork(const CampaignPlan& plan, std::int64_t unit, std::int64_t cases, std::vector<Skip> skipped, UnitWatch watch);
 
-  /// The low words of the meshes' fingerprints, each once, in the order in which they occur.
+  /// For each mesh 64 bits that stand for it, each once, in the order in which they occur: the low word of its
+  /// fingerprint. In a case that was drawn for one claim a mesh is another one than in the stream, as it is tried on
+  /// that claim alone.
   const std::vector<std::uint64_t>& meshes() const { return meshes_; }
 
   /// Tries the claims on meshes for which `fresh` says that they occur for the first time. All of the record is set but
@@ -56,7 +65,8 @@ class UnitWork {
 
  private:
   void make_case(std::int64_t number);
-  std::size_t place_of(const Fingerprint& fingerprint);
+  bool skips(std::int64_t number, std::string_view claim) const;
+  std::size_t place_of(std::uint64_t mesh);
   void decide_again(std::int64_t number);
   void try_case(const MadeCase& made, Trials& trials);
   void try_sequence(TrialSubject& subject, Trials& trials);
@@ -67,7 +77,9 @@ class UnitWork {
 
   const CampaignPlan& plan_;
   Unit unit_;
+  std::vector<Skip> skipped_;
   UnitWatch watch_;
+  std::int64_t number_ = 0;           ///< of the case that is being tried
   std::vector<std::int64_t> stored_;  ///< numbers
   std::vector<MadeCase> made_;
   std::vector<std::uint64_t> meshes_;

@@ -26,6 +26,9 @@ constexpr bool kLimitsMemory = false;  // the sanitizer reserves terabytes of ad
 constexpr bool kLimitsMemory = true;
 #endif
 
+/// Between two looks at a worker, when nothing stands still.
+constexpr auto kLongestPause = std::chrono::seconds(1);
+
 void set_limit(int resource, std::int64_t value) {
   const rlimit limit{static_cast<rlim_t>(value), static_cast<rlim_t>(value)};
   setrlimit(static_cast<__rlimit_resource>(resource), &limit);
@@ -42,14 +45,14 @@ void copy_words(Beacon& beacon, const std::string& says) {
 }
 
 [[noreturn]] void run_child(const CampaignPlan& plan, const WorkerLimits& limits, int file, Beacon& beacon) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
   // a group of its own: an interrupt from the terminal reaches the campaign, which ends its workers
   setpgid(0, 0);
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   set_limit(RLIMIT_CORE, 0);
   if (kLimitsMemory) set_limit(RLIMIT_AS, limits.memory_megabytes << 20);
-  run_and_exit([&] { serve(plan, file, beacon); }, [&](const std::string& says) { copy_words(beacon, says); });
+  run_and_exit([&] { serve(plan, limits.timeout_seconds, file, beacon); },
+               [&](const std::string& says) { copy_words(beacon, says); });
 }
 
 }  // namespace
@@ -63,12 +66,13 @@ Worker::Worker(const CampaignPlan& plan, const WorkerLimits& limits) : limits_(l
   if (process_ < 0) throw ResourceError("no other process");
   if (process_ == 0) {
     close(ends[0]);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != campaign) std::_Exit(0);
     run_child(plan, limits, ends[1], *beacon_);
   }
   close(ends[1]);
   file_ = ends[0];
-  seen_at_ = std::chrono::steady_clock::now();
+  seen_at_ = checked_at_ = std::chrono::steady_clock::now();
 }
 
 Worker::~Worker() {
@@ -82,7 +86,7 @@ Worker::~Worker() {
 
 void Worker::send(const std::string& line) {
   busy_ = true;
-  seen_at_ = std::chrono::steady_clock::now();
+  seen_at_ = checked_at_ = std::chrono::steady_clock::now();
   try {
     write_line(file_, line);
   } catch (const ResourceError&) {
@@ -111,6 +115,9 @@ bool Worker::read_messages(std::vector<Message>& into) {
 
 void Worker::stop_if_stuck() {
   const auto now = std::chrono::steady_clock::now();
+  const auto pause = now - checked_at_;
+  checked_at_ = now;
+  if (pause > kLongestPause) seen_at_ += pause;
   const std::int64_t ticks = beacon_->ticks;
   if (!busy_ || ticks != seen_ticks_) {
     seen_ticks_ = ticks;

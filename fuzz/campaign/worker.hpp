@@ -25,6 +25,7 @@ struct WorkerLimits {
 /// Where a worker is: memory that it shares with the campaign, so that this is known when it does not come back.
 struct Beacon {
   static constexpr std::size_t kMostWords = 1000;
+  static constexpr std::size_t kMostCase = 1 << 20;
 
   std::atomic<std::int64_t> ticks{0};  ///< grows with every piece of work
   std::atomic<std::int64_t> number{0};
@@ -32,13 +33,14 @@ struct Beacon {
   std::atomic<bool> has_case{false};
   std::atomic<const Claim*> claim{nullptr};
   char says[kMostWords] = {};  ///< what the exception said that ended it
+  char tried[kMostCase] = {};  ///< the case that a task tries, as text; empty when it is too long
 };
 
 /// A unit as a worker gets it.
 struct UnitOrder {
   std::int64_t unit = 0;
-  std::int64_t cases = 0;             ///< random cases of the campaign: the last block may have fewer than others
-  std::vector<std::int64_t> skipped;  ///< cases that did not come back
+  std::int64_t cases = 0;  ///< random cases of the campaign: the last block may have fewer than others
+  std::vector<Skip> skipped;
 };
 
 /// A process that does units and tasks, one after the other: whatever the code under test does to it, the campaign
@@ -69,11 +71,14 @@ class Worker {
   int file() const { return file_; }
   /// Reads what has arrived. False when the process has ended.
   bool read_messages(std::vector<Message>& into);
-  /// Kills the process when it is at one piece of work for longer than the limit.
+  /// Kills the process when it is at one piece of work for longer than the limit. REQUIRES: called often; the time in
+  /// which it was not, because the machine or this process stood still, does not count.
   void stop_if_stuck();
 
   /// How it ended, and where it was. REQUIRES: read_messages() gave false, called once.
   UnitDeath death();
+  /// The case that a task was trying, as text; may be empty.
+  std::string tried() const { return beacon_->tried; }
 
  private:
   void send(const std::string& line);
@@ -86,7 +91,8 @@ class Worker {
   bool busy_ = false;
   bool killed_ = false;
   std::int64_t seen_ticks_ = 0;
-  std::chrono::steady_clock::time_point seen_at_;
+  std::chrono::steady_clock::time_point seen_at_;     ///< when the work began that it is at
+  std::chrono::steady_clock::time_point checked_at_;  ///< the last time it was looked at
 };
 
 }  // namespace asts

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "lib/exact/errors.hpp"
+#include "lib/mesh/case_file.hpp"
 
 namespace asts {
 
@@ -23,24 +24,51 @@ constexpr std::string_view kUnit = "unit ";
 constexpr std::string_view kTask = "task ";
 constexpr std::string_view kFinding = "finding ";
 
+Json number_json(const std::optional<std::int64_t>& number) { return number ? Json(*number) : Json(nullptr); }
+
+std::optional<std::int64_t> number_from(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional<std::int64_t>(json.get<std::int64_t>());
+}
+
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 std::string task_json(const FindingTask& task) {
-  const Json json{task.index, task.claim, task.kind, task.number ? Json(*task.number) : Json(nullptr),
-                  task.step,  task.says,  task.died};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  Json json{{"index", task.index}, {"claim", task.claim}, {"kind", task.kind}, {"number", number_json(task.number)},
+            {"step", task.step},   {"says", task.says},   {"died", task.died}};
+  if (task.spoiled) {
+    json["spoiled"] = {{"kind", task.spoiled->kind}, {"says", task.spoiled->says}, {"by", task.spoiled_by}};
+  }
+  return dumped(json);
 }
 
 FindingTask task_from(std::string_view text) {
   const Json json = Json::parse(text);
-  FindingTask task{json.at(0), json.at(1), json.at(2), std::nullopt, json.at(4), json.at(5), json.at(6)};
-  if (!json.at(3).is_null()) task.number = json.at(3).get<std::int64_t>();
+  FindingTask task{json.at("index"),
+                   json.at("claim"),
+                   json.at("kind"),
+                   number_from(json.at("number")),
+                   json.at("step"),
+                   json.at("says"),
+                   json.at("died"),
+                   {},
+                   {}};
+  if (!json.contains("spoiled")) return task;
+  const Json& spoiled = json.at("spoiled");
+  task.spoiled = UnitDeath{task.claim, spoiled.at("kind"), std::nullopt, -1, spoiled.at("says")};
+  task.spoiled_by = spoiled.at("by");
   return task;
 }
 
-UnitOrder order_from(const std::string& text) {
-  std::istringstream words(text);
-  UnitOrder order;
-  words >> order.unit >> order.cases;
-  for (std::int64_t number; words >> number;) order.skipped.push_back(number);
+std::string order_json(const UnitOrder& order) {
+  Json json{{"unit", order.unit}, {"cases", order.cases}, {"skipped", Json::array()}};
+  for (const Skip& skip : order.skipped) json["skipped"].push_back({skip.number, skip.claim});
+  return dumped(json);
+}
+
+UnitOrder order_from(std::string_view text) {
+  const Json json = Json::parse(text);
+  UnitOrder order{json.at("unit"), json.at("cases"), {}};
+  for (const Json& skip : json.at("skipped")) order.skipped.push_back({skip.at(0), skip.at(1)});
   return order;
 }
 
@@ -74,14 +102,15 @@ UnitWatch watch_by(Beacon& beacon) {
 
 class Service {
  public:
-  Service(const CampaignPlan& plan, int file, Beacon& beacon) : plan_(plan), file_(file), beacon_(beacon) {}
+  Service(const CampaignPlan& plan, std::int64_t timeout_seconds, int file, Beacon& beacon)
+      : plan_(plan), timeout_seconds_(timeout_seconds), file_(file), beacon_(beacon) {}
 
   void run() {
     while (const auto line = read_line(file_, rest_)) {
       beacon_.has_case = false;
       beacon_.claim = nullptr;
       if (line->starts_with(kUnit)) {
-        do_unit(order_from(line->substr(kUnit.size())));
+        do_unit(order_from(std::string_view(*line).substr(kUnit.size())));
       } else {
         do_task(task_from(std::string_view(*line).substr(kTask.size())));
       }
@@ -101,10 +130,18 @@ class Service {
   }
 
   void do_task(const FindingTask& task) {
-    write_line(file_, std::string(kFinding) + work_out(plan_, task, [this] { ++beacon_.ticks; }));
+    const auto watch = [this](const Case& tried) {
+      const std::string text = write_case(tried);
+      const bool fits = text.size() < Beacon::kMostCase;
+      std::memcpy(beacon_.tried, fits ? text.c_str() : "", fits ? text.size() + 1 : 1);
+      ++beacon_.ticks;
+    };
+    beacon_.tried[0] = 0;
+    write_line(file_, std::string(kFinding) + work_out(plan_, task, timeout_seconds_, watch));
   }
 
   const CampaignPlan& plan_;
+  std::int64_t timeout_seconds_;
   int file_;
   Beacon& beacon_;
   std::string rest_;
@@ -112,11 +149,11 @@ class Service {
 
 }  // namespace
 
-void serve(const CampaignPlan& plan, int file, Beacon& beacon) { Service(plan, file, beacon).run(); }
-
-std::string order_line(const UnitOrder& order) {
-  return fmt::format("{}{} {} {}", kUnit, order.unit, order.cases, fmt::join(order.skipped, " "));
+void serve(const CampaignPlan& plan, std::int64_t timeout_seconds, int file, Beacon& beacon) {
+  Service(plan, timeout_seconds, file, beacon).run();
 }
+
+std::string order_line(const UnitOrder& order) { return std::string(kUnit) + order_json(order); }
 
 std::string order_line(const FindingTask& task) { return std::string(kTask) + task_json(task); }
 

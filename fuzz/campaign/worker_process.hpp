@@ -5,9 +5,9 @@
 namespace asts {
 
 /// What runs in a worker's process: reads orders from the file until it ends, and sends messages. Lines of text:
-/// "unit N CASES SKIPPED..." gives "meshes HEX", then, after "fresh BITS", "unit TIMES RECORD"; "task JSON" gives
+/// "unit JSON" gives "meshes HEX", then, after "fresh BITS", "unit TIMES RECORD"; "task JSON" gives
 /// "finding JSON".
-void serve(const CampaignPlan& plan, int file, Beacon& beacon);
+void serve(const CampaignPlan& plan, std::int64_t timeout_seconds, int file, Beacon& beacon);
 
 std::string order_line(const UnitOrder& order);
 std::string order_line(const FindingTask& task);

@@ -57,6 +57,7 @@ struct CampaignSummary {
   std::int64_t distinct = 0;   ///< of these
   std::int64_t trivial = 0;    ///< of the distinct ones: nothing is subdivided, and each element is a unit cube
   std::int64_t sequences = 0;  ///< cases of `refine` steps alone
+  std::int64_t deaths = 0;     ///< how often the code under test did not come back
   /// Cases by what they were drawn to provoke: every bias that there is, with 0 for one that never occurred.
   std::map<std::string, std::int64_t> biases;
   /// Distinct meshes by "level" (the highest), "elements" (the lowest power of 2 that is not less), "grading" (m),

@@ -87,10 +87,12 @@ TEST(CampaignCommand, RefusesWhatItCannotDo) {
   EXPECT_NE(refusal({"--replay", folder.path("none")}).find("is no folder"), std::string::npos);
   const std::string file = folder.write("file", "");
   EXPECT_NE(refusal({"--out", file + "/run"}).find("cannot be made"), std::string::npos);
-  const std::string damaged = folder.path("damaged");
-  fs::create_directories(damaged);
-  folder.write("damaged/units.jsonl", "{}\n");
-  EXPECT_EQ(campaign({"--claim", "as-implies-dc-repaired", "--cases", "64", "--out", damaged}).exit_code, 0);
+  EXPECT_NE(refusal({"--timeout", "10000000000"}).find("--timeout"), std::string::npos);
+  EXPECT_NE(refusal({"--time", "10000000000"}).find("--time"), std::string::npos);
+  EXPECT_NE(refusal({"--cases", "9223372036854775807"}).find("--cases"), std::string::npos);
+  folder.write("units.jsonl", "{}\n");
+  EXPECT_EQ(refusal({"--out", folder.path("")}),
+            "asts: " + folder.path("") + "/units.jsonl:1: no plan of a campaign\n");
 }
 
 TEST(CampaignCommand, ReplaysACollectionFirst) {

@@ -7,7 +7,9 @@
 #include <cstring>
 #include <thread>
 
+#include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "reports/campaign_json.hpp"
 
 namespace asts::testing {
 namespace {
@@ -41,8 +43,8 @@ Trial throws(MeshUnderTest& mesh) {
 
 Trial survives(MeshUnderTest&) { return met(); }
 
-Claim claim_of(Trial (*on_mesh)(MeshUnderTest&)) {
-  Claim claim{"faulty", "none", "a claim for tests", ClaimKind::remark, "", "meshes", false};
+Claim claim_of(Trial (*on_mesh)(MeshUnderTest&), const char* id) {
+  Claim claim{id, "none", "a claim for tests", ClaimKind::remark, "", "meshes", false};
   claim.on_mesh = on_mesh;
   claim.max_elements = 1'000'000;
   return claim;
@@ -50,29 +52,31 @@ Claim claim_of(Trial (*on_mesh)(MeshUnderTest&)) {
 
 constexpr std::int64_t kCases = 192;
 
-CampaignResult run(const Claim& claim) {
+CampaignResult run(std::vector<const Claim*> claims, int jobs = 1) {
   CampaignPlan plan;
-  plan.claims = {&claim};
+  plan.claims = std::move(claims);
   plan.seed = 5;
   CampaignRun how;
   how.cases = kCases;
+  how.jobs = jobs;
   how.limits = {1, 400};
   return run_campaign(plan, how, nullptr);
 }
 
-/// What a faulty claim gives; nothing of the campaign is lost but the cases that are deadly.
+/// What a faulty claim gives. Nothing of the campaign is lost but the trials that are deadly; other claims lose none.
 CampaignFinding only_finding(Trial (*on_mesh)(MeshUnderTest&), const char* kind) {
-  const Claim faulty = claim_of(on_mesh);
-  const CampaignResult result = run(faulty);
-  const CampaignSummary& summary = result.summary;
-  const CampaignResult sound = run(claim_of(survives));
-  EXPECT_LT(summary.cases, kCases) << "no case is deadly";
-  EXPECT_GT(summary.cases, kCases * 9 / 10);
-  EXPECT_EQ(summary.records[0].holds, summary.records[0].met);
-  EXPECT_LT(summary.records[0].holds, sound.summary.records[0].holds);
-  EXPECT_GT(summary.records[0].holds, sound.summary.records[0].holds * 9 / 10);
-  EXPECT_EQ(sound.summary.cases, kCases);
-  EXPECT_TRUE(sound.summary.findings.empty());
+  const Claim faulty = claim_of(on_mesh, "faulty");
+  const Claim sound = claim_of(survives, "sound");
+  const CampaignSummary summary = run({&faulty, &sound}).summary;
+  const CampaignSummary alone = run({&sound}).summary;
+  EXPECT_TRUE(alone.findings.empty());
+  EXPECT_EQ(alone.deaths, 0);
+  EXPECT_GT(summary.deaths, 0) << "no case is deadly";
+  EXPECT_EQ(summary.cases, kCases);
+  EXPECT_EQ(summary.distinct, alone.distinct);
+  EXPECT_EQ(summary.records[1].holds, alone.records[0].holds);
+  EXPECT_LT(summary.records[0].holds, alone.records[0].holds);
+  EXPECT_GT(summary.records[0].holds, alone.records[0].holds * 9 / 10);
   EXPECT_EQ(summary.findings.size(), 1U);
   if (summary.findings.empty()) return {};
   const CampaignFinding& finding = summary.findings[0];
@@ -81,6 +85,7 @@ CampaignFinding only_finding(Trial (*on_mesh)(MeshUnderTest&), const char* kind)
   EXPECT_FALSE(finding.expected);
   EXPECT_TRUE(finding.content.has_value());
   EXPECT_EQ(finding.content->grading, 7);
+  EXPECT_EQ(finding.file.find(std::string("deaths/faulty-") + kind), 0U) << finding.file;
   return finding;
 }
 
@@ -91,7 +96,6 @@ TEST(Campaign, GoesOnAfterACrash) {
   ASSERT_TRUE(finding.minimized);
   EXPECT_EQ(finding.minimized->guarantee, Guarantee::one_minimal);
   EXPECT_EQ(write_case(*finding.content), "asts-case 1\ndegree 3 3 3\ngrading 7\ndomain 1 1 1\n");
-  EXPECT_EQ(finding.file.find("findings/faulty-crash-"), 0U);
 }
 
 TEST(Campaign, GoesOnAfterAnException) {
@@ -108,11 +112,49 @@ TEST(Campaign, GoesOnWhenACaseHangs) {
 }
 
 TEST(Campaign, GoesOnWhenACaseTakesTooMuchMemory) {
-#if !defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer's own memory cannot be limited";
+#endif
   const CampaignFinding finding = only_finding(takes_all_memory, "memory");
   EXPECT_EQ(finding.says, "no memory within the limit");
   EXPECT_FALSE(finding.minimized);
-#endif
+}
+
+Verdict violated_by(const char* kind) { return Verdict::violated(ClaimWitness{kind, "for a test", {}}); }
+
+/// Violated where m = 7; on a single cube it crashes, which the stream does not give and the minimizer tries.
+Trial crashes_when_small(MeshUnderTest& mesh) {
+  if (is_deadly(mesh) && mesh.mesh().elements.size() == 1) std::raise(SIGSEGV);
+  return {is_deadly(mesh) ? violated_by("too-fine") : Verdict::holds(), 1};
+}
+
+// Neither of the two is lost.
+TEST(Campaign, KeepsAViolationWhoseMinimizationCrashes) {
+  const Claim faulty = claim_of(crashes_when_small, "faulty");
+  const CampaignSummary summary = run({&faulty}).summary;
+  EXPECT_EQ(summary.deaths, 0);
+  ASSERT_GE(summary.findings.size(), 2U);
+  const CampaignFinding& violation = summary.findings[0];
+  EXPECT_EQ(violation.kind, "too-fine");
+  EXPECT_EQ(violation.content->grading, 7);
+  EXPECT_FALSE(violation.minimized);
+  EXPECT_EQ(violation.file.find("findings/faulty-too-fine"), 0U);
+  const CampaignFinding& death = summary.findings[1];
+  EXPECT_EQ(death.kind, "crash");
+  EXPECT_EQ(death.says, "signal 11 (Segmentation fault), while a case was made smaller that is violated: too-fine");
+  EXPECT_EQ(write_case(death.content.value()), "asts-case 1\ndegree 3 3 3\ngrading 7\ndomain 1 1 1\n");
+  EXPECT_EQ(death.file.find("deaths/faulty-crash"), 0U);
+}
+
+// Law 1, where not all comes back.
+TEST(Campaign, GivesTheSameForAnyNumberOfJobsInSpiteOfDeaths) {
+  const Claim crashing = claim_of(crashes, "crashing");
+  const Claim throwing = claim_of(throws, "throwing");
+  const Claim spoiling = claim_of(crashes_when_small, "spoiling");
+  const CampaignSummary one = run({&crashing, &throwing, &spoiling}, 1).summary;
+  const CampaignSummary three = run({&crashing, &throwing, &spoiling}, 3).summary;
+  EXPECT_GE(one.findings.size(), 4U);
+  EXPECT_EQ(campaign_json(one, {}), campaign_json(three, {}));
 }
 
 CampaignPlan theorem_plan() {
@@ -132,19 +174,12 @@ TEST(Campaign, GivesTheSameForAnyNumberOfJobs) {
   how.jobs = 3;
   const CampaignSummary three = run_campaign(plan, how, nullptr).summary;
   EXPECT_EQ(one.cases, 300);
-  EXPECT_EQ(three.cases, 300);
-  EXPECT_EQ(one.distinct, three.distinct);
-  EXPECT_EQ(one.trivial, three.trivial);
-  EXPECT_EQ(one.generated, three.generated);
-  EXPECT_EQ(one.biases, three.biases);
-  ASSERT_EQ(one.findings.size(), three.findings.size());
+  EXPECT_EQ(campaign_json(one, {}), campaign_json(three, {}));
   EXPECT_GE(one.findings.size(), 2U);
-  for (std::size_t i = 0; i < one.findings.size(); ++i) {
-    EXPECT_EQ(one.findings[i].content, three.findings[i].content);
-    EXPECT_EQ(one.findings[i].number, three.findings[i].number);
-    EXPECT_EQ(one.findings[i].valid.value_or(false), one.findings[i].content.has_value()) << one.findings[i].validation;
+  for (const CampaignFinding& finding : one.findings) {
+    EXPECT_EQ(finding.valid.value_or(false), finding.content.has_value()) << finding.validation;
+    EXPECT_TRUE(finding.expected);
   }
-  EXPECT_EQ(one.records[0].meshes, three.records[0].meshes);
   EXPECT_LE(one.records[0].meshes, one.distinct);
   EXPECT_LT(one.distinct, one.meshes);
 }
@@ -189,6 +224,8 @@ TEST(Campaign, DecidesStoredCasesFirst) {
   ASSERT_EQ(summary.findings.size(), 2U);
   EXPECT_EQ(summary.findings[0].number, -2);
   EXPECT_EQ(summary.findings[0].kind, "no-partial-overlap");
+  EXPECT_FALSE(summary.findings[0].expected);
+  EXPECT_NE(summary.findings[0].says.find("as-implies-dc-other.case was recorded otherwise"), std::string::npos);
   EXPECT_EQ(summary.findings[1].number, -3);
   EXPECT_EQ(summary.findings[1].kind, "not-violated");
   EXPECT_FALSE(summary.findings[1].expected);

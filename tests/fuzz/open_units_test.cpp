@@ -45,8 +45,8 @@ TEST_F(OpenUnitsTest, AreRecordedInTheirOrder) {
   EXPECT_EQ(units_.take_complete()->record.fresh, std::vector<std::uint64_t>{11});
 }
 
-// The case is left out, and what the unit was told stays.
-TEST_F(OpenUnitsTest, AreDoneAgainWithoutACaseThatDied) {
+// The claim is left out there, and what the unit was told stays.
+TEST_F(OpenUnitsTest, AreDoneAgainWithoutAClaimOnACaseThatDied) {
   units_.begin();
   units_.begin();
   units_.has_meshes(0, {1, 2, 3});
@@ -55,7 +55,7 @@ TEST_F(OpenUnitsTest, AreDoneAgainWithoutACaseThatDied) {
   units_.has_died(0, {"as-implies-dc", "crash", 5, 1, "signal 11"});
   EXPECT_EQ(units_.take_again(), 0);
   EXPECT_EQ(units_.take_again(), std::nullopt);
-  EXPECT_EQ(units_.order(0).skipped, std::vector<std::int64_t>{5});
+  EXPECT_EQ(units_.order(0).skipped, (std::vector<Skip>{{5, "as-implies-dc"}}));
   units_.has_meshes(0, {1, 3});
   EXPECT_EQ(units_.answers(), (Answers{{0, {true, true}}}));
   units_.is_done(0, record_of(0), {});

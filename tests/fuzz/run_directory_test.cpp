@@ -29,9 +29,10 @@ CampaignPlan small_plan() {
 
 constexpr std::int64_t kCases = 200;
 
-CampaignResult run_in(const std::string& folder, const CampaignPlan& plan, std::int64_t cases = kCases) {
+CampaignResult run_in(const std::string& folder, const CampaignPlan& plan, std::int64_t cases = kCases, int jobs = 1) {
   RunDirectory directory(folder, true);
   CampaignRun how;
+  how.jobs = jobs;
   how.cases = cases;
   return run_campaign(plan, how, &directory);
 }
@@ -61,7 +62,9 @@ std::vector<std::string> differences(const std::map<std::string, std::string>& o
   return names;
 }
 
-const std::vector<std::string> kNone;
+using Names = std::vector<std::string>;
+
+const Names kNone;
 
 class RunDirectoryTest : public ::testing::Test {
  protected:
@@ -99,6 +102,17 @@ TEST_F(RunDirectoryTest, HoldsWhatWasFound) {
   EXPECT_EQ(whole_.size(), cases + 2);
 }
 
+Names texts_of(const CampaignSummary& summary) {
+  Names texts;
+  for (const CampaignFinding& finding : summary.findings)
+    texts.push_back(finding.file + finding.says + finding.validation);
+  return texts;
+}
+
+Names first(const Names& names, std::size_t count) {
+  return Names(names.begin(), names.begin() + static_cast<long>(std::min(count, names.size())));
+}
+
 bool near_line_end(const std::string& text, std::size_t place) {
   const std::size_t end = text.find('\n', place < 2 ? 0 : place - 2);
   return end != std::string::npos && end < place + 64;
@@ -106,6 +120,7 @@ bool near_line_end(const std::string& text, std::size_t place) {
 
 // Wherever a file is cut: what is read is what was complete, and never another record.
 TEST_F(RunDirectoryTest, IsReadWhereverItIsCut) {
+  const Names all = texts_of(read_campaign(folder_.path("whole"))->summary);
   for (const char* name : {"units.jsonl", "findings.jsonl"}) {
     const std::string text = whole_.at(name);
     const std::string folder = folder_with(name, text);
@@ -116,6 +131,8 @@ TEST_F(RunDirectoryTest, IsReadWhereverItIsCut) {
       if (std::string(name) == "findings.jsonl") {
         ASSERT_TRUE(recorded);
         EXPECT_EQ(recorded->summary.cases, kCases);
+        EXPECT_EQ(texts_of(recorded->summary), first(all, recorded->summary.findings.size())) << bytes;
+        EXPECT_LE(recorded->summary.findings.size(), static_cast<std::size_t>(lines));
         continue;
       }
       ASSERT_EQ(recorded.has_value(), lines > 0) << bytes;
@@ -136,6 +153,11 @@ TEST_F(RunDirectoryTest, GoesOnToTheSameBytesWhereverItIsCut) {
     run_in(folder, plan_);
     EXPECT_EQ(differences(files_of(folder), whole_), kNone) << name << " cut to " << bytes;
   }
+}
+
+TEST_F(RunDirectoryTest, IsTheSameForAnyNumberOfJobs) {
+  run_in(folder_.path("three"), plan_, kCases, 3);
+  EXPECT_EQ(differences(files_of(folder_.path("three")), whole_), kNone);
 }
 
 // The number of cases that was asked for first stands in the plan's line, and only there.
@@ -161,7 +183,7 @@ TEST_F(RunDirectoryTest, GoesOnToTheSameBytesWhereverItIsKilled) {
   for (int i = 0; i < 12; ++i) {
     const pid_t child = fork();
     if (child == 0) {
-      run_in(folder, plan_);
+      run_in(folder, plan_, kCases, 2);
       _exit(0);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(draw.between(1, 60)));
@@ -194,6 +216,9 @@ TEST_F(RunDirectoryTest, RefusesAnotherCampaignsRecords) {
   EXPECT_EQ(refusal(folder_with("units.jsonl", sealed("{\"a\":1}") + "\n")).find(folder + "/units.jsonl:1: no plan"),
             0U);
   EXPECT_THROW(read_campaign(folder_.path("none")), InputError);
+  const std::string other = folder_with("units.jsonl", "{}\n");  // no campaign's: it is not written over
+  EXPECT_THROW(RunDirectory(other, true), InputError);
+  EXPECT_EQ(content_of(other + "/units.jsonl"), "{}\n");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ CampaignPlan plan_of(std::initializer_list<const char*> ids) {
 }
 
 UnitRecord work_on(const CampaignPlan& plan, std::int64_t unit, std::int64_t cases,
-                   const std::vector<std::int64_t>& skipped = {}) {
+                   const std::vector<Skip>& skipped = {}) {
   UnitWork work(plan, unit, cases, skipped, {[](std::int64_t, std::int64_t) {}, [](const Claim&) {}});
   const std::vector<std::uint64_t> meshes = work.meshes();
   UnitRecord record = work.try_fresh(std::vector<bool>(meshes.size(), true));
@@ -72,11 +72,17 @@ TEST(UnitWork, TriesEachMeshOnce) {
 TEST(UnitWork, LeavesOutWhatDidNotComeBack) {
   const CampaignPlan plan = plan_of({"as-implies-dc"});
   const UnitRecord all = work_on(plan, 1, 1000);
-  const UnitRecord fewer = work_on(plan, 1, 1000, {64, 70, 3});
+  const UnitRecord fewer = work_on(plan, 1, 1000, {{64, ""}, {70, ""}, {3, ""}});
   EXPECT_EQ(all.end, 128);
   EXPECT_EQ(fewer.end, 128);
   EXPECT_EQ(all.cases, 64);
   EXPECT_EQ(fewer.cases, 62);
+  const UnitRecord without_claim = work_on(plan, 1, 1000, {{64, "as-implies-dc"}, {70, "lambda-sums"}});
+  EXPECT_EQ(without_claim.cases, 64);
+  EXPECT_EQ(without_claim.meshes, all.meshes);
+  const auto meshes = [](const UnitRecord& record) { return record.records.at("as-implies-dc").meshes; };
+  EXPECT_LT(meshes(without_claim), meshes(all));
+  EXPECT_EQ(meshes(without_claim), meshes(work_on(plan, 1, 1000, {{64, ""}})));
   EXPECT_EQ(work_on(plan, 1, 70).cases, 6);
   EXPECT_EQ(work_on(plan, 1, 70).end, 70);
 }
