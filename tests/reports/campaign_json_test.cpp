@@ -25,15 +25,16 @@ TEST(CampaignJson, HasEverythingInAFixedOrder) {
   EXPECT_TRUE(text.starts_with("{\n  \"version\": \"1.2.3\",\n  \"claims\": [\n    \"patches-nested\",\n")) << text;
   EXPECT_TRUE(text.ends_with("\n}\n"));
   const Json json = Json::parse(text);
-  EXPECT_EQ(keys_of(json),
-            (std::vector<std::string>{"version", "claims", "seed", "cases", "meshes", "distinct", "trivial",
-                                      "sequences", "biases", "generated", "records", "findings", "healthy", "health"}));
+  EXPECT_EQ(keys_of(json), (std::vector<std::string>{"version", "claims", "seed", "cases", "meshes", "distinct",
+                                                     "trivial", "sequences", "deaths", "biases", "generated", "records",
+                                                     "findings", "healthy", "health"}));
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["cases"], 20);
   EXPECT_EQ(json["meshes"], 60);
   EXPECT_EQ(json["distinct"], 50);
   EXPECT_EQ(json["trivial"], 9);
   EXPECT_EQ(json["sequences"], 6);
+  EXPECT_EQ(json["deaths"], 0);
   EXPECT_EQ(json["biases"].dump(), R"({"boxes-cut":0,"marks-deep":20})");
   EXPECT_EQ(json["generated"].dump(), R"({"elements":{"128":20,"1024":30},"level":{"0":9,"2":41}})");
   EXPECT_EQ(json["healthy"], false);

@@ -7,6 +7,13 @@
 namespace asts {
 namespace {
 
+TEST(CampaignText, SaysHowOftenCodeDidNotComeBack) {
+  auto [summary, problems] = testing::campaign_example();
+  summary.deaths = 3;
+  EXPECT_NE(campaign_text(summary, problems).find("initial meshes\nthe code under test did not come back 3 times\n"),
+            std::string::npos);
+}
+
 TEST(CampaignText, SaysWhatWasTriedAndFoundAndHowWell) {
   const auto [summary, problems] = testing::campaign_example();
   EXPECT_EQ(campaign_text(summary, problems),
