@@ -30,6 +30,8 @@ Case small_planar_case(Draw& draw) {
 }
 
 constexpr std::array kProvocations{
+    Provocation{"frame-in-index-sets", "provoke-frame-in-index-sets", narrow_case, 4},
+    Provocation{"frame-in-index-sets-repaired", "provoke-frame-in-index-sets-repaired", narrow_case, 8},
     Provocation{"planar-equals-classical", "provoke-planar-equals-classical", small_planar_case, 1, 6},
     Provocation{"planar-equals-classical-repaired", "provoke-planar-equals-classical-repaired",
                 small_planar_case_of_boxes, 2},

@@ -35,6 +35,9 @@ Case corner_case(Draw& draw, int m, const std::array<int, 2>& steps_between);
 /// Long and graded along one axis, so that an admissible mesh of few elements has perturbed regions of two axes.
 Case graded_case(Draw& draw);
 
+/// Marks anywhere on a domain with an axis that is shorter than the integers of its frame: at most (p-3)/2 cubes.
+Case narrow_case(Draw& draw);
+
 /// A row of cubes along x, for large m: one cube subdivided finely at its end, so that its patch reaches the next cube.
 Case row_case(Draw& draw, int m);
 
