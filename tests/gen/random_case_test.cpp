@@ -19,6 +19,16 @@ struct Range {
   std::int64_t first, last;
 };
 
+// The lists that cases are drawn from leave none out, first to last.
+TEST(Biases, AreAllListed) {
+  const auto last = static_cast<std::size_t>(Bias::boxes_planar_inside);
+  ASSERT_EQ(all_biases().size(), last + 1);
+  for (std::size_t i = 0; i <= last; ++i) EXPECT_EQ(static_cast<std::size_t>(all_biases()[i]), i);
+  EXPECT_EQ(plain_biases().size() + trouble_biases().size(), last + 1);
+  EXPECT_EQ(plain_biases().back(), Bias::boxes_written_out);
+  EXPECT_EQ(trouble_biases().back(), Bias::boxes_planar_inside);
+}
+
 // The engine's first numbers for the default seed are fixed by the C++ standard ([rand.predef] gives the 10000th), and
 // `between` takes them modulo the range's length: a seed means the same everywhere.
 TEST(Draw, TakesTheStandardEnginesNumbers) {
