@@ -56,7 +56,7 @@ elapsed() { awk -v begin="$1" -v end="$(date +%s.%N)" 'BEGIN { printf "%.1f", en
 
 has_program() { [[ -f "$build/tests/test_$1[1]_include.cmake" ]]; }
 
-# Five times what the unchanged program took, and half a minute.
+# CPU seconds: five times what the unchanged program took, and half a minute.
 limit_of() { awk '{ printf "%d", 5 * $1 + 30 }' "$work/results/seconds.$1" 2>/dev/null || echo 1200; }
 
 # Tests that took more than a second come last.
@@ -66,19 +66,29 @@ slow_tests() { sed -n 's/^\[       OK \] \([^ ,]*\).* (\([0-9]\{4,\}\) ms)$/\1/p
 # run_tests PROGRAM FILTER: sets `found` to the first test that fails.
 run_tests() {
   local status=0
-  (cd "$tree" && timeout "$(limit_of "$1")" "$build/tests/test_$1" --gtest_filter="$2" --gtest_fail_fast) \
-    >"$log.$1" 2>&1 || status=$?
+  (cd "$tree" && ulimit -t "$(limit_of "$1")" &&
+    timeout $((10 * $(limit_of "$1"))) "$build/tests/test_$1" --gtest_filter="$2" --gtest_fail_fast) >"$log.$1" 2>&1 || status=$?
   ((status == 0)) && return 1
   found=$(sed -n 's/^\[  FAILED  \] \([^ ,]*\).*/\1/p' "$log.$1" | head -n 1)
   [[ -n $found ]] || found=$(sed -n 's/^\[ RUN      \] \([^ ]*\).*/\1/p' "$log.$1" | tail -n 1)
-  ((status == 124)) && found+=" (timeout)"
-  ((status > 128)) && found+=" (crash)"
+  if ((status == 124 || status == 152)); then
+    found+=" (timeout)"  # 152: SIGXCPU
+  elif ((status > 128)); then
+    found+=" (crash)"
+  fi
   return 0
 }
 
-# first_test FOLDER: the mirrored program first, then the others, their slow tests last. Sets test and test_seconds.
+# near_tests FOLDER FILE: the test suites of the mirrored folder in files that include the changed file's header.
+near_tests() {
+  { grep -l "\"${2%.cpp}.hpp\"" "$tree/tests/$1"/*_test.cpp || true; } | xargs -r -d '\n' cat |
+    sed -n 's/^\(TEST\|TEST_P\|RC_GTEST_PROP\)(\([A-Za-z0-9_]*\),.*/\2.*:*\/\2.*/p' | sort -u | paste -sd:
+}
+
+# first_test FOLDER FILE: first the tests nearest to the changed file, then the mirrored program, then the others, their
+# slow tests last. Sets test and test_seconds.
 first_test() {
-  local program pass passes=("$1 quick" "$1 slow") begin spent=0 tests found
+  local program pass passes=("$1 near" "$1 quick" "$1 slow") begin spent=0 tests near found
   test=- test_seconds=-
   for pass in quick slow; do
     for program in "${programs[@]}"; do [[ $program == "$1" ]] || passes+=("$program $pass"); done
@@ -87,12 +97,12 @@ first_test() {
     program=${pass% *} tests=$(slow_tests "${pass% *}")
     has_program "$program" || continue
     build_targets "test_$program" || { test="does not compile"; return; }
-    if [[ $pass == *slow ]]; then
-      [[ -n $tests ]] || continue
-      tests="$tests-Faults.*"
-    else
-      tests="-Faults.*:$tests"
-    fi
+    case $pass in
+      *near) near=$(near_tests "$1" "$2") tests=${near:+"$near-$tests"} ;;
+      *quick) tests="-Faults.*:$tests" ;;
+      *slow) tests=${tests:+"$tests-Faults.*"} ;;
+    esac
+    [[ -n $tests ]] || continue
     begin=$(date +%s.%N)
     if run_tests "$program" "$tests"; then test="$program: $found"; fi
     spent=$(awk -v a="$spent" -v b="$(elapsed "$begin")" 'BEGIN { printf "%.1f", a + b }')
@@ -155,7 +165,7 @@ try_fault() {
   file=$(sed -n 's/^+++ b\///p' "$patch")
   cp "$tree/$file" "$work/original"
   (cd "$tree" && patch -p1 -F0 -s --no-backup-if-mismatch) <"$patch"
-  first_test "$(folder_of "$file")"
+  first_test "$(folder_of "$file")" "$file"
   first_search
   cp "$work/original" "$tree/$file"
   if [[ $test$search == *"does not compile"* ]]; then
