@@ -47,7 +47,9 @@ TEST(CaseBytes, AnyBytesAreAValidCaseWithinTheLimitsThatHasBytes) {
     const std::string text = write_case(content);
     SCOPED_TRACE(text);
     EXPECT_EQ(parsed(text), content);
-    if (content.explicit_mesh) EXPECT_NO_THROW(mesh_of(setting_of(content), content.elements));
+    if (content.explicit_mesh) {
+      EXPECT_NO_THROW(mesh_of(setting_of(content), content.elements));
+    }
     expect_limits(content, limits);
     const auto bytes = bytes_of_case(content, limits);
     ASSERT_TRUE(bytes.has_value());
