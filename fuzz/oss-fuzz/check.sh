@@ -1,6 +1,7 @@
-#!/bin/bash -eu
+#!/bin/bash
 # Runs build.sh as OSS-Fuzz would, with the compiler and the engine that are here, and starts each fuzzer in $OUT on
 # the seeds of its zip file. Works in build/oss-fuzz.
+set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 work=$root/build/oss-fuzz
 mkdir -p "$work/src" "$work/out" "$work/work"
