@@ -30,13 +30,16 @@ esac
 cmake --preset "$(basename $build)" > /dev/null
 cmake --build $build --target "fuzz_$target" seed_corpora
 corpus=$build/corpus/$target
-mkdir -p "$corpus" $build/artifacts
+mkdir -p "$corpus" $build/artifacts $build/afl
 # Names say what the bytes are, so that what is there already is not there twice.
 $build/fuzz/targets/seed_corpora $build/seeds tests/cases/*/*.case reports/collection/*.case reports/findings/*.case
 fuzzer=$build/fuzz/targets/fuzz_$target
 
-# Allocations are many and small: their stacks would cost more than the target. A crash is replayed with them.
-export ASAN_OPTIONS="${ASAN_OPTIONS:-malloc_context_size=0:quarantine_size_mb=1:detect_stack_use_after_return=0}"
+# Allocations are many and small: their stacks would cost more than the target. A crash is replayed with them. Not for
+# AFL++, which is built without sanitizers and wants options of its own.
+if [ "$mode" != afl ]; then
+  export ASAN_OPTIONS="${ASAN_OPTIONS:-malloc_context_size=0:quarantine_size_mb=1:detect_stack_use_after_return=0}"
+fi
 
 case $mode in
   libfuzzer)
