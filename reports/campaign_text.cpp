@@ -95,8 +95,7 @@ std::string health(std::span<const HealthProblem> problems) {
 }  // namespace
 
 bool is_death(const CampaignFinding& finding) {
-  constexpr std::array<std::string_view, 4> kDeaths{"crash", "timeout", "memory", "exception"};
-  return std::find(kDeaths.begin(), kDeaths.end(), finding.kind) != kDeaths.end();
+  return std::find(kDeathKinds.begin(), kDeathKinds.end(), finding.kind) != kDeathKinds.end();
 }
 
 std::string finding_name(const CampaignFinding& finding) {

@@ -18,7 +18,7 @@ std::string finding_text(const CampaignFinding& finding);
 /// What the case is a finding of, in a line without its end: "as-implies-dc: no-partial-overlap".
 std::string finding_name(const CampaignFinding& finding);
 
-/// Whether the code under test did not end as it should: "crash", "timeout", "memory", "exception".
+/// Whether the code under test did not end as it should: kDeathKinds.
 bool is_death(const CampaignFinding& finding);
 
 }  // namespace asts

@@ -32,9 +32,11 @@ struct CampaignResult {
 /// as each case either always comes back within its limits or never does, on the machine.
 /// REQUIRES: this process has no other threads; the folder has begun this plan, or none.
 /// Throws ResourceError when no process can be started or the folder cannot be written.
-/// Laws (tests/fuzz/campaign_test.cpp): (1) any number of jobs gives the same summary and the same files; (2) so does a
-/// campaign that is killed at any moment and resumed; (3) a case that crashes, hangs, or takes too much memory is a
-/// finding, and all other cases are tried; (4) each distinct mesh is tried once.
+/// Laws: (1) any number of jobs gives the same summary and the same files (tests/fuzz/campaign_test.cpp,
+/// run_directory_test.cpp); (2) so does a campaign that is killed at any moment and resumed (run_directory_test.cpp);
+/// (3) a claim that crashes, hangs, throws or takes too much memory on a case is a finding, and everything else is
+/// tried (campaign_test.cpp); (4) each distinct mesh of the stream is tried once by each claim that wants it, and once
+/// more by a claim for which a case with it was drawn (unit_record_test.cpp).
 CampaignResult run_campaign(const CampaignPlan& plan, const CampaignRun& run, RunDirectory* folder);
 
 }  // namespace asts

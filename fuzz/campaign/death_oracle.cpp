@@ -13,6 +13,7 @@
 #include <new>
 
 #include "lib/exact/errors.hpp"
+#include "properties/campaign/summary.hpp"
 
 namespace asts {
 
@@ -47,14 +48,14 @@ std::string read_words(int file) {
 Ending ending_of(int status) {
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
-    return {signal == SIGALRM ? "timeout" : "crash",
+    return {signal == SIGALRM ? kTimeout : kCrash,
             std::string("signal ") + std::to_string(signal) + " (" + strsignal(signal) + ")"};
   }
   const int code = WEXITSTATUS(status);
   if (code == 0) return {};
-  if (code == kMemoryCode) return {"memory", "no memory within the limit"};
-  if (code == kExceptionCode) return {"exception", {}};
-  return {"crash", "exit code " + std::to_string(code)};
+  if (code == kMemoryCode) return {kOutOfMemory, "no memory within the limit"};
+  if (code == kExceptionCode) return {kException, {}};
+  return {kCrash, "exit code " + std::to_string(code)};
 }
 
 void run_and_exit(const std::function<void()>& work, const std::function<void(const std::string&)>& thrown) {
@@ -69,7 +70,7 @@ void run_and_exit(const std::function<void()>& work, const std::function<void(co
   std::_Exit(0);
 }
 
-bool can_be_tried_again(const std::string& kind) { return kind == "crash" || kind == "exception"; }
+bool can_be_tried_again(const std::string& kind) { return kind == kCrash || kind == kException; }
 
 Ending ending_alone(const Statement& statement, const Case& test_case, std::int64_t timeout_seconds) {
   int ends[2];
@@ -92,7 +93,7 @@ Ending ending_alone(const Statement& statement, const Case& test_case, std::int6
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   Ending ending = ending_of(status);
-  if (ending.kind == "exception") ending.says = says;
+  if (ending.kind == kException) ending.says = says;
   return ending;
 }
 

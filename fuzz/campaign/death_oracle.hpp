@@ -10,7 +10,7 @@ namespace asts {
 
 /// How code ended that ran in a process of its own.
 struct Ending {
-  /// Empty when it came back; else "crash", "timeout", "memory" or "exception".
+  /// Empty when it came back; else one of kDeathKinds.
   std::string kind;
   std::string says;  ///< the signal, or what the exception said
 
@@ -25,7 +25,7 @@ Ending ending_of(int status);
 [[noreturn]] void run_and_exit(const std::function<void()>& work,
                                const std::function<void(const std::string&)>& thrown);
 
-/// Whether an ending is likely to come again, and soon: "timeout" takes its time.
+/// Whether an ending is likely to come again, and soon: kTimeout takes its time.
 bool can_be_tried_again(const std::string& kind);
 
 /// Decides a statement for a case in a process of its own, and tells how that ended.

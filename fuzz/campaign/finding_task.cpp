@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fuzz/campaign/death_oracle.hpp"
+#include "fuzz/campaign/optional_number.hpp"
 #include "fuzz/validation/validate_record.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
@@ -53,7 +54,7 @@ Json found_json(const CampaignPlan& plan, const FindingTask& task, const std::st
   return {{"claim", task.claim},
           {"kind", task.kind},
           {"expected", is_expected(plan, task)},
-          {"number", task.number ? Json(*task.number) : Json(nullptr)},
+          {"number", number_json(task.number)},
           {"step", task.step},
           {"says", says}};
 }
@@ -189,7 +190,7 @@ CampaignFinding finding_from(const Json& found) {
   finding.claim = found.at("claim");
   finding.kind = found.at("kind");
   finding.expected = found.at("expected");
-  if (!found.at("number").is_null()) finding.number = found.at("number").get<std::int64_t>();
+  finding.number = number_from(found.at("number"));
   finding.step = found.at("step");
   finding.says = found.at("says");
   if (found.contains("file")) {

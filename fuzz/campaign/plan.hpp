@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/mesh/case.hpp"
+#include "properties/campaign/provocations.hpp"
 #include "properties/claims/claim.hpp"
 
 namespace asts {
@@ -31,9 +32,6 @@ struct CampaignPlan {
 
   friend bool operator==(const CampaignPlan&, const CampaignPlan&) = default;
 };
-
-/// Random cases are done in blocks: what is done at once, recorded at once, and done again when it is lost.
-inline constexpr std::int64_t kBlockCases = 64;
 
 /// The work of a campaign, numbered: first each claim that has something to try without a case, then the stored cases
 /// as one unit if there are any, then the blocks of random cases without end.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "fuzz/campaign/optional_number.hpp"
 #include "lib/exact/errors.hpp"
 
 namespace asts {
@@ -40,12 +41,6 @@ LedgerRecord record_from(const std::string& claim, const Json& json) {
   record.biases = json.at("biases");
   record.features = json.at("features");
   return record;
-}
-
-Json number_json(const std::optional<std::int64_t>& number) { return number ? Json(*number) : Json(nullptr); }
-
-std::optional<std::int64_t> number_from(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional<std::int64_t>(json.get<std::int64_t>());
 }
 
 Json violation_json(const UnitViolation& one) {

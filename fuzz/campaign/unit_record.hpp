@@ -27,7 +27,7 @@ struct UnitViolation {
 /// The code under test did not come back.
 struct UnitDeath {
   std::string claim;                   ///< that was being tried; empty when none was
-  std::string kind;                    ///< "crash", "timeout", "memory" or "exception"
+  std::string kind;                    ///< one of kDeathKinds
   std::optional<std::int64_t> number;  ///< of the case; none: tried without a case
   std::int64_t step = -1;              ///< of that case; -1 while it was being made
   std::string says;                    ///< the signal, or what the exception said

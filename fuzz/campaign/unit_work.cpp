@@ -7,7 +7,7 @@
 
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/fnv1a.hpp"
-#include "lib/refine/replay.hpp"
+#include "properties/case_meshes.hpp"
 #include "reports/collection.hpp"
 #include "reports/ledger_report.hpp"
 
@@ -25,21 +25,6 @@ class Stopwatch {
  private:
   std::clock_t begin_ = std::clock();
 };
-
-/// Calls visit(step, mesh) for the mesh after each step, from step 0 on; for an explicit mesh once.
-void for_each_mesh(const Case& content, const std::function<void(std::size_t step, MeshUnderTest& mesh)>& visit) {
-  if (content.explicit_mesh) {
-    MeshUnderTest mesh(mesh_of(setting_of(content), content.elements));
-    return visit(0, mesh);
-  }
-  Replay replay(content);
-  for (std::size_t step = 0;; ++step) {
-    MeshUnderTest mesh(replay.tree());
-    visit(step, mesh);
-    if (replay.done()) return;
-    replay.advance();
-  }
-}
 
 std::int64_t volume_of(const Setting& setting) {
   std::int64_t volume = 1;

@@ -27,12 +27,13 @@ struct Skip {
   friend bool operator==(const Skip&, const Skip&) = default;
 };
 
-/// Processor times of a unit, in microseconds: for people and for health checks, never for results.
+/// Times of a unit, in microseconds, of the processor but for `claims`: for people and health checks, never for
+/// results.
 struct UnitTimes {
   std::int64_t total = 0;
   std::int64_t slowest = 0;          ///< of its cases
   std::int64_t slowest_number = 0;   ///< which case that was
-  std::vector<std::int64_t> claims;  ///< in the plan's order
+  std::vector<std::int64_t> claims;  ///< in the plan's order, as the clock on the wall has it
 };
 
 /// A case of a unit and its meshes.

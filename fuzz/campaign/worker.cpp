@@ -134,9 +134,9 @@ UnitDeath Worker::death() {
   }
   process_ = 0;
   Ending ending = ending_of(status);
-  if (ending.kind.empty()) ending = {"crash", "ended without a word"};
-  if (ending.kind == "exception") ending.says = beacon_->says;
-  if (killed_) ending = {"timeout", "no end within " + std::to_string(limits_.timeout_seconds) + " s"};
+  if (ending.kind.empty()) ending = {kCrash, "ended without a word"};
+  if (ending.kind == kException) ending.says = beacon_->says;
+  if (killed_) ending = {kTimeout, "no end within " + std::to_string(limits_.timeout_seconds) + " s"};
   const Claim* claim = beacon_->claim;
   UnitDeath death{claim != nullptr ? claim->id : "", ending.kind, std::nullopt, beacon_->step, ending.says};
   if (beacon_->has_case) death.number = beacon_->number;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "fuzz/campaign/optional_number.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
 
@@ -23,12 +24,6 @@ constexpr std::string_view kFresh = "fresh ";
 constexpr std::string_view kUnit = "unit ";
 constexpr std::string_view kTask = "task ";
 constexpr std::string_view kFinding = "finding ";
-
-Json number_json(const std::optional<std::int64_t>& number) { return number ? Json(*number) : Json(nullptr); }
-
-std::optional<std::int64_t> number_from(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional<std::int64_t>(json.get<std::int64_t>());
-}
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 

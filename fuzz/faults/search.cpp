@@ -9,15 +9,12 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "fuzz/validation/compare_with_literal.hpp"
+#include "fuzz/validation/literal_case.hpp"
 #include "lib/gen/case_stream.hpp"
 #include "lib/mesh/case_file.hpp"
-#include "lib/refine/replay.hpp"
+#include "properties/case_meshes.hpp"
 #include "properties/ledger/trials.hpp"
-#include "properties/properties.hpp"
-#include "reports/witness_json.hpp"
-#include "tests/reference/claim_subject.hpp"
-#include "tests/reference/decide.hpp"
-#include "tests/reference/validate.hpp"
 
 namespace asts {
 namespace {
@@ -26,29 +23,6 @@ namespace {
 constexpr std::size_t kMostLiteralElements = 200;
 
 [[noreturn]] void caught(const std::string& what) { throw std::runtime_error(what); }
-
-reference::Point literal(const Point& point) { return {point[0].value(), point[1].value(), point[2].value()}; }
-
-reference::Setting literal(const Setting& setting) { return {setting.degree, setting.grading, setting.domain}; }
-
-reference::Mesh literal(const Mesh& mesh) {
-  reference::Mesh result;
-  for (const Box& element : mesh.elements) {
-    reference::Box& box = result.emplace_back();
-    for (Axis axis = 0; axis < kDimension; ++axis) {
-      box.lower[at(axis)] = mesh.coordinate(axis, element.lower[at(axis)]);
-      box.upper[at(axis)] = mesh.coordinate(axis, element.upper[at(axis)]);
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-const char* name(reference::Verdict verdict) {
-  return verdict == reference::Verdict::holds      ? "holds"
-         : verdict == reference::Verdict::violated ? "violated"
-                                                   : "not-applicable";
-}
 
 std::vector<const Claim*> unrefuted() {
   std::vector<const Claim*> result;
@@ -65,57 +39,30 @@ class Search {
   bool has_time() const { return std::chrono::steady_clock::now() < end_; }
 
   void look_at(const Case& content, const char* bias) {
-    std::cout << "mesh " << ++meshes_ << '\n' << std::flush;
+    say_mesh();
     if (write_case(parse_case(write_case(content), "case")) != write_case(content)) caught("a case is read otherwise");
     TrialSubject subject(0, content, bias);
-    if (content.explicit_mesh) {
-      reference::Mesh boxes;
-      for (const ElementLine& line : content.elements) boxes.push_back({literal(line.lower), literal(line.upper)});
-      MeshUnderTest mesh(mesh_of(setting_of(content), content.elements));
-      return look_at_mesh(subject, mesh, boxes);
-    }
-    reference::Mesh boxes = reference::initial_mesh(literal(setting_of(content)));
-    Replay replay(content);
-    for (const Step& step : content.steps) {
-      if (boxes.size() <= kMostLiteralElements) boxes = after(content, boxes, step);
-      replay.advance();
-      if (++subject.step > 1) std::cout << "mesh " << ++meshes_ << '\n' << std::flush;
-      MeshUnderTest mesh(replay.tree());
-      look_at_mesh(subject, mesh, boxes);
-    }
+    const reference::Setting setting = literal::setting(setting_of(content));
+    reference::Mesh boxes = content.explicit_mesh ? literal::boxes(content) : reference::initial_mesh(setting);
+    for_each_mesh(content, [&](std::size_t step, MeshUnderTest& mesh) {
+      if (step == 0 && !content.steps.empty()) return;
+      if (step > 1) say_mesh();
+      if (step > 0 && boxes.size() <= kMostLiteralElements) {
+        boxes = reference::after_step(setting, boxes, literal::step(content.steps[step - 1]));
+      }
+      subject.step = step;
+      if (boxes.size() <= kMostLiteralElements) compare(mesh, setting, boxes);
+      subject.looks_at(mesh, fingerprint_of(mesh.mesh()));
+      trials_.on_mesh(subject, mesh);
+    });
     if (Trials::is_sequence(content)) trials_.on_sequence(subject);
   }
 
  private:
-  static reference::Mesh after(const Case& content, const reference::Mesh& boxes, const Step& step) {
-    reference::LiteralStep literal_step{step.kind == Step::Kind::refine, {}};
-    for (const Point& mark : step.marks) literal_step.marks.push_back(literal(mark));
-    return reference::after_step(literal(setting_of(content)), boxes, literal_step);
-  }
+  void say_mesh() { std::cout << "mesh " << ++meshes_ << '\n' << std::flush; }
 
-  void look_at_mesh(TrialSubject& subject, MeshUnderTest& mesh, reference::Mesh boxes) {
-    std::sort(boxes.begin(), boxes.end());
-    if (boxes.size() <= kMostLiteralElements) compare(mesh, boxes);
-    subject.looks_at(mesh, fingerprint_of(mesh.mesh()));
-    trials_.on_mesh(subject, mesh);
-  }
-
-  static void compare(MeshUnderTest& mesh, const reference::Mesh& boxes) {
-    if (literal(mesh.mesh()) != boxes) caught("literal: other elements");
-    const reference::Setting setting = literal(mesh.mesh().setting);
-    const reference::Verdicts expected = reference::decide(setting, boxes);
-    const std::array verdicts{expected.admissible, expected.nested_patches, expected.analysis_suitable,
-                              expected.dual_compatible, expected.dual_basis};
-    for (std::size_t i = 0; i < verdicts.size(); ++i) {
-      const Property& property = all_properties()[i];
-      const Verdict verdict = decide(property, mesh);
-      if (outcome_name(verdict.outcome) != std::string(name(verdicts[i])))
-        caught(std::string("literal: ") + property.id);
-      if (!verdict.witness) continue;
-      const auto json = nlohmann::json::parse(witness_json(*verdict.witness).dump());
-      if (!reference::validate_witness(setting, boxes, property.id, json).valid)
-        caught(std::string("literal: the witness against ") + property.id);
-    }
+  static void compare(MeshUnderTest& mesh, const reference::Setting& setting, const reference::Mesh& boxes) {
+    if (const auto difference = compare_with_literal(mesh, setting, boxes)) caught("literal: " + difference->about);
   }
 
   static Trials::Options options() {

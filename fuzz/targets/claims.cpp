@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "fuzz/targets/case_in_literal_code.hpp"
 #include "fuzz/targets/targets.hpp"
+#include "fuzz/validation/literal_case.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/gen/case_bytes.hpp"
 #include "lib/mesh/case_file.hpp"
-#include "lib/refine/replay.hpp"
+#include "properties/case_meshes.hpp"
 #include "properties/ledger/trials.hpp"
 #include "reports/witness_json.hpp"
 #include "tests/reference/claim_witness.hpp"
@@ -22,8 +22,8 @@ Fault fault_of(const Claim& claim, const TrialSubject& subject, const Verdict& v
   const nlohmann::json witness = nlohmann::json::parse(witness_json(verdict.witness.value()).dump());
   if (!claim.refuted) return fmt::format("{} is violated: {}", claim.id, witness.dump());
   if (subject.elements > kMostLiteral) return std::nullopt;
-  reference::ClaimSubject literal = literal_subject(subject.whole);
-  const reference::Validation validation = reference::validate_claim_witness(literal, claim.id, witness);
+  reference::ClaimSubject by_hand = literal::subject(subject.whole);
+  const reference::Validation validation = reference::validate_claim_witness(by_hand, claim.id, witness);
   if (validation.valid) return std::nullopt;
   return fmt::format("{}: the witness {} is not valid: {}", claim.id, witness.dump(), validation.report);
 }
@@ -59,21 +59,12 @@ class ClaimTrials {
   }
 
   void try_all() {
-    if (content_.explicit_mesh) {
-      MeshUnderTest mesh(mesh_of(setting_of(content_), content_.elements));
-      return try_on(mesh);
-    }
-    Replay replay(content_);
-    while (!replay.done()) replay.advance();
     subject_.step = content_.steps.size();
-    MeshUnderTest mesh(replay.tree());
-    try_on(mesh);
+    with_last_mesh(content_, [this](MeshUnderTest& mesh) {
+      subject_.looks_at(mesh, fingerprint_of(mesh.mesh()));
+      trials_.on_mesh(subject_, mesh);
+    });
     if (Trials::is_sequence(content_)) trials_.on_sequence(subject_);
-  }
-
-  void try_on(MeshUnderTest& mesh) {
-    subject_.looks_at(mesh, fingerprint_of(mesh.mesh()));
-    trials_.on_mesh(subject_, mesh);
   }
 
   const Case& content_;

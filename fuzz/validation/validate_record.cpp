@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "fuzz/validation/literal_case.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "tests/reference/claim_witness.hpp"
@@ -15,30 +16,6 @@ namespace asts {
 namespace {
 
 using Json = nlohmann::json;
-
-reference::Point literal_point(const Point& point) {
-  reference::Point result;
-  for (std::size_t axis = 0; axis < kDimension; ++axis) result[axis] = point[axis].value();
-  return result;
-}
-
-/// The mesh or sequence of a case's first steps, for the literal code alone: nothing of the mesh kernel is used.
-reference::ClaimSubject literal_subject(const Case& content, std::size_t steps) {
-  const reference::Setting setting{content.degree, content.grading, content.domain};
-  if (content.explicit_mesh) {
-    reference::Mesh mesh;
-    for (const ElementLine& line : content.elements) {
-      mesh.push_back({literal_point(line.lower), literal_point(line.upper)});
-    }
-    return {setting, std::move(mesh)};
-  }
-  std::vector<reference::LiteralStep> sequence(steps);
-  for (std::size_t i = 0; i < steps; ++i) {
-    sequence[i].refine = content.steps[i].kind == Step::Kind::refine;
-    for (const Point& mark : content.steps[i].marks) sequence[i].marks.push_back(literal_point(mark));
-  }
-  return {setting, std::move(sequence)};
-}
 
 /// The case of a record: the one it carries, or the file that it names.
 Case case_of(const Json& record, const std::string& file, const std::string& place) {
@@ -71,10 +48,10 @@ LiteralRecord literal_record(const Json& record, const std::string& file, const 
   const Json& step = record.at("step");
   const std::size_t most = content.steps.size();
   if (!step.is_number_unsigned() || step > most || (record.contains("mesh") && step != most)) {
-    return {literal_subject(content, 0),
+    return {literal::subject(content, 0),
             fmt::format("step {} is not what the record's case of {} steps says", step.dump(), most)};
   }
-  LiteralRecord result{literal_subject(content, step.get<std::size_t>()), {}};
+  LiteralRecord result{literal::subject(content, step.get<std::size_t>()), {}};
   result.objection = objection_to_elements(record, result.subject);
   return result;
 }

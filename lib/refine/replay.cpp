@@ -29,4 +29,11 @@ void Replay::advance() {
   ++counts_.step;
 }
 
+Mesh last_mesh(const Case& test_case) {
+  if (test_case.explicit_mesh) return mesh_of(setting_of(test_case), test_case.elements);
+  Replay replay(test_case);
+  while (!replay.done()) replay.advance();
+  return mesh_of(replay.tree());
+}
+
 }  // namespace asts

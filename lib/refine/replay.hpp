@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lib/mesh/case.hpp"
+#include "lib/mesh/mesh.hpp"
 #include "lib/mesh/refinement_tree.hpp"
 
 namespace asts {
@@ -41,5 +42,9 @@ class Replay {
   bool watch_history_ = false;
   bool history_admissible_ = true;
 };
+
+/// The mesh behind all steps of a case, or its explicit mesh. Cost: that of the replay and of building the mesh.
+/// Throws InputError when the case cannot be replayed, or its boxes do not tile the domain.
+Mesh last_mesh(const Case& test_case);
 
 }  // namespace asts

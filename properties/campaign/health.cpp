@@ -20,8 +20,6 @@ constexpr std::int64_t kDistinctPart = 4;
 
 /// A bias is said to be missing when chance would explain that less often than once in so many campaigns.
 constexpr std::int64_t kChance = 1'000'000;
-/// Provocations are drawn once in a number of blocks of so many cases.
-constexpr std::int64_t kBlock = 64;
 
 // A case of 10 seconds holds up nobody who lets a campaign run for an hour; one part in 10 of the time does. Costs are
 // uneven: of 1000 cases of the stream the slowest took 7 parts in 100.
@@ -92,7 +90,7 @@ void check_biases(const CampaignSummary& summary, std::vector<HealthProblem>& pr
   const auto count = static_cast<std::int64_t>(all_biases().size());
   for (const Bias bias : all_biases()) check(bias_name(bias), count, drawn, " draws of a bias");
   for (const Provocation& one : all_provocations()) {
-    check(one.name, one.rarity, (drawn + provoked) / kBlock, " blocks of cases");
+    check(one.name, one.rarity, (drawn + provoked) / kBlockCases, " blocks of cases");
   }
 }
 

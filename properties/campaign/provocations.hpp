@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "lib/gen/draw.hpp"
@@ -7,13 +8,17 @@
 
 namespace asts {
 
+/// Random cases of a campaign are done in blocks: what is done at once, recorded at once, and done again when it is
+/// lost.
+inline constexpr std::int64_t kBlockCases = 64;
+
 /// Random cases for one claim, whose hypothesis or violation the general stream of cases (lib/gen/case_stream) never or
 /// hardly ever meets.
 struct Provocation {
   const char* claim;    ///< its id. The case is for this claim alone, whatever its size and class
   const char* name;     ///< among the biases: "provoke-" and the id
   Case (*draw)(Draw&);  ///< depends on the state of the Draw alone
-  int rarity;           ///< drawn in one of so many blocks of 64 cases of the stream
+  int rarity;           ///< drawn in one of so many blocks of the stream
   int cases = 1;        ///< how many of that block's cases
 };
 

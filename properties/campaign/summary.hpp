@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/mesh/case.hpp"
@@ -19,11 +21,17 @@ struct FindingSize {
   std::int64_t evaluations = 0;
 };
 
+/// How the code under test may end when it does not come back: the kinds of findings that are no violations.
+inline constexpr const char* kCrash = "crash";          ///< a signal
+inline constexpr const char* kTimeout = "timeout";      ///< no end within the limit
+inline constexpr const char* kOutOfMemory = "memory";   ///< no memory within the limit
+inline constexpr const char* kException = "exception";  ///< one that it should not throw
+inline constexpr std::array<std::string_view, 4> kDeathKinds{kCrash, kTimeout, kOutOfMemory, kException};
+
 /// Something that a campaign found: once for each claim, kind and canonical case.
 struct CampaignFinding {
   std::string claim;  ///< its id; empty when no claim was being tried
-  /// The kind of the witness; or, when the code under test did not end as it should: "crash", "timeout", "memory",
-  /// "exception".
+  /// The kind of the witness, or one of kDeathKinds.
   std::string kind;
   /// A violation of a claim that is refuted already. Nothing else is expected.
   bool expected = false;
@@ -52,9 +60,10 @@ struct CampaignSummary {
   std::string version;  ///< of the program
   std::vector<std::string> claims;
   std::uint64_t seed = 1;
-  std::int64_t cases = 0;      ///< that were made
-  std::int64_t meshes = 0;     ///< that they made, repeated ones too
-  std::int64_t distinct = 0;   ///< of these
+  std::int64_t cases = 0;   ///< that were made
+  std::int64_t meshes = 0;  ///< that they made, repeated ones too
+  /// Of these; a mesh of a case that was drawn for one claim counts by itself, as it is tried on that claim alone.
+  std::int64_t distinct = 0;
   std::int64_t trivial = 0;    ///< of the distinct ones: nothing is subdivided, and each element is a unit cube
   std::int64_t sequences = 0;  ///< cases of `refine` steps alone
   std::int64_t deaths = 0;     ///< how often the code under test did not come back

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "lib/gen/case_stream.hpp"
-#include "lib/refine/replay.hpp"
+#include "properties/case_meshes.hpp"
 
 namespace asts {
 
@@ -54,18 +54,10 @@ void Ledger::try_case(std::int64_t number) {
   if (fingerprint_of(planned.setting).high % shares != static_cast<std::uint64_t>(plan_.share)) return;
   const RandomCase random = make_case(std::move(planned));
   TrialSubject subject(number, random.content, bias_name(random.bias));
-  if (random.content.explicit_mesh) {
-    MeshUnderTest mesh(mesh_of(setting_of(random.content), random.content.elements));
-    return try_mesh(subject, mesh);
-  }
-  Replay replay(random.content);
-  while (true) {
-    MeshUnderTest mesh(replay.tree());
+  for_each_mesh(random.content, [&](std::size_t step, MeshUnderTest& mesh) {
+    subject.step = step;
     try_mesh(subject, mesh);
-    if (replay.done()) break;
-    replay.advance();
-    ++subject.step;
-  }
+  });
   if (Trials::is_sequence(random.content)) trials_.on_sequence(subject);
 }
 

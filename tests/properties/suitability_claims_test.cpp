@@ -154,11 +154,6 @@ RandomCase draw_case(Draw& draw, int number) {
   }
 }
 
-const char* name(reference::Verdict verdict) {
-  constexpr std::array kNames{"holds", "violated", "not-applicable"};
-  return kNames.at(static_cast<std::size_t>(verdict));
-}
-
 struct Seen {
   std::map<std::string, int> violated;
   int without_splines = 0;
@@ -173,7 +168,7 @@ void compare(const Case& content, Seen& seen) {
                                                             literal::last_mesh(content), kNodesForQuadruples);
   seen.without_splines += literal.verdicts.empty();
   for (const auto& [id, verdict] : literal.verdicts) {
-    EXPECT_EQ(outcome(id.c_str(), *mesh), name(verdict)) << id;
+    EXPECT_EQ(outcome(id.c_str(), *mesh), reference::verdict_name(verdict)) << id;
     seen.violated[id] += verdict == reference::Verdict::violated;
   }
   if (literal.verdicts.empty()) return;
@@ -218,7 +213,7 @@ TEST(SuitabilityClaims, TwinAgreesOnTheFindings) {
         reference::decide_suitability_claims(literal::setting(setting_of(content)), literal::last_mesh(content), 40);
     ASSERT_TRUE(literal.verdicts.contains("case-table"));
     for (const auto& [claim, verdict] : literal.verdicts)
-      EXPECT_EQ(outcome(claim.c_str(), *mesh), name(verdict)) << claim;
+      EXPECT_EQ(outcome(claim.c_str(), *mesh), reference::verdict_name(verdict)) << claim;
     EXPECT_EQ(literal.compatible, literal.suitable_inside) << id;
   }
 }

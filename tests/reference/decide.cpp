@@ -1,14 +1,15 @@
 #include "tests/reference/decide.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #include "tests/reference/tree.hpp"
 
 namespace asts::reference {
 
 namespace {
 
-Verdict verdict(bool holds) {
-  return holds ? Verdict::holds : Verdict::violated;
-}
+Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::violated; }
 
 template <class T>
 Verdicts decide_splines(const Setting& setting, const Mesh& mesh, Grid scale, Verdicts verdicts) {
@@ -30,6 +31,26 @@ Verdicts decide_tree(const Setting& setting, const Mesh& mesh) {
 }
 
 }  // namespace
+
+const char* verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::holds:
+      return "holds";
+    case Verdict::violated:
+      return "violated";
+    default:
+      return "not-applicable";
+  }
+}
+
+Verdict verdict_on(const Verdicts& verdicts, std::string_view property) {
+  if (property == "admissible") return verdicts.admissible;
+  if (property == "nested-patches") return verdicts.nested_patches;
+  if (property == "analysis-suitable") return verdicts.analysis_suitable;
+  if (property == "dual-compatible") return verdicts.dual_compatible;
+  if (property == "dual-basis") return verdicts.dual_basis;
+  throw std::invalid_argument("no property of the five: " + std::string(property));
+}
 
 Verdicts decide(const Setting& setting, const Mesh& mesh) {
   const Verdicts verdicts = decide_tree(setting, mesh);

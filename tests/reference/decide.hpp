@@ -1,11 +1,16 @@
 #pragma once
 
+#include <string_view>
+
 #include "tests/reference/dual.hpp"
 #include "tests/reference/suitability.hpp"
 
 namespace asts::reference {
 
 enum class Verdict { holds, violated, not_applicable };
+
+/// "holds", "violated", "not-applicable".
+const char* verdict_name(Verdict verdict);
 
 /// The five properties of INTERFACE.md, decided from the definitions.
 ///
@@ -16,6 +21,9 @@ struct Verdicts {
   Verdict admissible, nested_patches, analysis_suitable, dual_compatible, dual_basis;
   bool operator==(const Verdicts&) const = default;
 };
+
+/// The one on a property, by its id of INTERFACE.md. REQUIRES: one of the five.
+Verdict verdict_on(const Verdicts& verdicts, std::string_view property);
 
 /// REQUIRES: the boxes tile the domain (see tiles_domain).
 Verdicts decide(const Setting& setting, const Mesh& mesh);

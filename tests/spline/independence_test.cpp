@@ -14,13 +14,6 @@ namespace {
 
 using Ranks = std::vector<std::int32_t>;
 
-Mesh last_mesh(const Case& content) {
-  if (content.explicit_mesh) return mesh_of(setting_of(content), content.elements);
-  Replay replay(content);
-  while (!replay.done()) replay.advance();
-  return mesh_of(replay.tree());
-}
-
 Mesh mesh_of_text(const std::string& text) { return last_mesh(parse_case("asts-case 1\n" + text, "f")); }
 
 /// Blending functions of one's own choice on the lines of a mesh: one triple of index vectors a function.

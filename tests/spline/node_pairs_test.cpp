@@ -12,13 +12,6 @@
 namespace asts {
 namespace {
 
-Mesh last_mesh(const Case& content) {
-  if (content.explicit_mesh) return mesh_of(setting_of(content), content.elements);
-  Replay replay(content);
-  while (!replay.done()) replay.advance();
-  return mesh_of(replay.tree());
-}
-
 bool share_volume(const TSplines& splines, std::int32_t v, std::int32_t w) {
   for (Axis axis = 0; axis < kDimension; ++axis) {
     if (!interiors_meet(splines.support(v, axis), splines.support(w, axis))) return false;

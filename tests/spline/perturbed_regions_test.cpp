@@ -13,13 +13,6 @@ namespace {
 
 using LatticePoint = PerAxis<HalfRank>;
 
-Mesh last_mesh(const Case& content) {
-  if (content.explicit_mesh) return mesh_of(setting_of(content), content.elements);
-  Replay replay(content);
-  while (!replay.done()) replay.advance();
-  return mesh_of(replay.tree());
-}
-
 bool in_support(const TSplines& splines, std::int32_t node, const LatticePoint& point) {
   for (Axis axis = 0; axis < kDimension; ++axis) {
     const RankInterval side = splines.support(node, axis);

@@ -13,13 +13,6 @@
 namespace asts {
 namespace {
 
-Mesh last_mesh(const Case& content) {
-  if (content.explicit_mesh) return mesh_of(setting_of(content), content.elements);
-  Replay replay(content);
-  while (!replay.done()) replay.advance();
-  return mesh_of(replay.tree());
-}
-
 // 5 x 4 x 4 with [2,3] x [1,2] x [1,2] cut at x = 5/2: active nodes (2,2,2), (5/2,2,2), (3,2,2), which are all on the
 // line (., 2, 2), on the border of the closed face at 5/2.
 TEST(SliceNodes, ClosedFacesCountOnTheirBorder) {

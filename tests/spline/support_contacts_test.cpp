@@ -9,13 +9,6 @@
 namespace asts {
 namespace {
 
-Mesh last_mesh(const Case& content) {
-  if (content.explicit_mesh) return mesh_of(setting_of(content), content.elements);
-  Replay replay(content);
-  while (!replay.done()) replay.advance();
-  return mesh_of(replay.tree());
-}
-
 SupportContacts contacts_of(const std::string& text) {
   const TSplines splines = tsplines_of(last_mesh(parse_case(text, "case")));
   return count_contacts(splines, bricks_of(splines));

@@ -11,13 +11,6 @@
 namespace asts {
 namespace {
 
-Mesh last_mesh(const Case& content) {
-  if (content.explicit_mesh) return mesh_of(setting_of(content), content.elements);
-  Replay replay(content);
-  while (!replay.done()) replay.advance();
-  return mesh_of(replay.tree());
-}
-
 Mesh mesh_of_text(const std::string& text) { return last_mesh(parse_case("asts-case 1\n" + text, "f")); }
 
 reference::Point node_of(const Mesh& mesh, const TSplines& splines, std::int32_t node) {
