@@ -1,6 +1,7 @@
 #include "lib/refine/replay.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "lib/exact/errors.hpp"
@@ -26,6 +27,7 @@ void Replay::advance() {
   if (watch_history_ && history_admissible_) history_admissible_ = is_admissible_subdivision(tree_, leaves);
   subdivide_all(tree_, leaves);
   counts_.subdivided = static_cast<std::int64_t>(leaves.size());
+  subdivided_ = std::move(leaves);
   ++counts_.step;
 }
 

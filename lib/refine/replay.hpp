@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "lib/mesh/case.hpp"
 #include "lib/mesh/mesh.hpp"
@@ -25,6 +26,9 @@ class Replay {
 
   const RefinementTree& tree() const { return tree_; }
   const StepCounts& counts() const { return counts_; }
+  /// The nodes that the last step subdivided, without repetition: for `refine` in mark_closure's order, for `subdivide`
+  /// by rising identifiers. Empty before the first step.
+  const std::vector<std::int32_t>& subdivided() const { return subdivided_; }
   bool done() const { return static_cast<std::size_t>(counts_.step) == case_.steps.size(); }
 
   /// Does the next step. REQUIRES: !done().
@@ -39,6 +43,7 @@ class Replay {
   const Case& case_;
   RefinementTree tree_;
   StepCounts counts_;
+  std::vector<std::int32_t> subdivided_;
   bool watch_history_ = false;
   bool history_admissible_ = true;
 };
