@@ -18,7 +18,7 @@ int generate(const GenerateOptions& options) {
   if (options.elements < 1 || options.elements > kMostElements) {
     throw InputError("--elements takes a number from 1 to " + std::to_string(kMostElements));
   }
-  const Workload workload = options.workload == "corner" ? Workload::corner : Workload::sphere;
+  const Workload workload = workload_named(options.workload);
   const std::string text = write_case(generate_workload(workload, setting, options.elements));
   stop_if_interrupted();
   print(text);

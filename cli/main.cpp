@@ -180,10 +180,10 @@ class CommandLine {
   }
 
   void add_generate() {
-    CLI::App* command = app_.add_subcommand("generate", "print a case of a workload: corner or sphere");
-    command->add_option("WORKLOAD", generate_.workload, "corner or sphere")
+    CLI::App* command = app_.add_subcommand("generate", "print a case of a workload: corner, sphere or random");
+    command->add_option("WORKLOAD", generate_.workload, "corner, sphere or random")
         ->required()
-        ->check(CLI::IsMember({"corner", "sphere"}));
+        ->check(CLI::IsMember({"corner", "sphere", "random"}));
     add_setting(*command, generate_.setting);
     command->add_option("--elements", generate_.elements, "stop at the first mesh with so many elements");
     command->callback([this] { chosen_ = [this] { return generate(generate_); }; });

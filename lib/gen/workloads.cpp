@@ -1,8 +1,12 @@
 #include "lib/gen/workloads.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <vector>
 
+#include "lib/exact/errors.hpp"
+#include "lib/gen/draw.hpp"
 #include "lib/gen/growing_case.hpp"
 #include "lib/mesh/refinement_tree.hpp"
 #include "lib/refine/refinement.hpp"
@@ -10,6 +14,13 @@
 namespace asts {
 
 namespace {
+
+constexpr std::array<std::string_view, 3> kNames{"corner", "sphere", "random"};
+
+/// Of `random`. One leaf in so many is drawn: the closure adds so much that fewer steps would overshoot a number of
+/// elements by far.
+constexpr std::uint64_t kSeed = 1;
+constexpr std::size_t kLeavesForOneMark = 64;
 
 /// The coordinates of an axis's lines, by rank, measured so that the comparisons with the sphere are between squares:
 /// 4 (coordinate - centre), squared.
@@ -65,14 +76,43 @@ std::vector<std::int32_t> leaves_on_sphere(const RefinementTree& tree) {
   return leaves;
 }
 
+std::vector<std::int32_t> random_leaves(const RefinementTree& tree, Draw& draw) {
+  const std::vector<std::int32_t> leaves = leaves_of(tree);
+  std::vector<std::int32_t> drawn((leaves.size() + kLeavesForOneMark - 1) / kLeavesForOneMark);
+  for (std::int32_t& leaf : drawn) leaf = draw.choose(leaves);
+  std::sort(drawn.begin(), drawn.end());
+  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+  return drawn;
+}
+
+std::vector<std::int32_t> marks_of(Workload workload, const RefinementTree& tree, Draw& draw) {
+  switch (workload) {
+    case Workload::corner:
+      return {tree.leaf_at(Point{})};
+    case Workload::sphere:
+      return leaves_on_sphere(tree);
+    case Workload::random:
+      return random_leaves(tree, draw);
+  }
+  throw InternalError("a workload without marks");
+}
+
 }  // namespace
+
+std::span<const std::string_view> workload_names() { return kNames; }
+
+Workload workload_named(std::string_view name) {
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) throw InputError("no workload is called '" + std::string(name) + "'");
+  return static_cast<Workload>(found - kNames.begin());
+}
 
 Case generate_workload(Workload workload, const Setting& setting, std::int64_t elements) {
   Case result{setting.degree, setting.grading, setting.domain, {}, false, {}};
   RefinementTree tree(setting);
+  Draw draw(kSeed);
   while (tree.element_count() < elements) {
-    const std::vector<std::int32_t> marks =
-        workload == Workload::corner ? std::vector{tree.leaf_at(Point{})} : leaves_on_sphere(tree);
+    const std::vector<std::int32_t> marks = marks_of(workload, tree, draw);
     Step step;
     for (const std::int32_t leaf : marks) step.marks.push_back(lower_corner(tree, leaf));
     result.steps.push_back(std::move(step));

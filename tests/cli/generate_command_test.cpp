@@ -36,6 +36,8 @@ const Workload kWorkloads[] = {
     {{"sphere", "--degree", "3,3,3", "--grading", "2", "--domain", "16,16,16"}, 10'000},
     {{"--degree", "3,5,7", "--grading", "3", "--domain", "5,9,8", "corner"}, 3'000},
     {{"sphere", "--degree", "3,5,3", "--grading", "4", "--domain", "4,6,5"}, 2'000},
+    {{"random", "--degree", "3,3,3", "--grading", "2", "--domain", "16,16,16"}, 10'000},
+    {{"random", "--degree", "3,5,3", "--grading", "3", "--domain", "5,7,4"}, 2'000},
     {{"corner", "--domain", "4,4,4"}, 64},
 };
 
