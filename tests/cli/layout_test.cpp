@@ -20,8 +20,10 @@ const fs::path kRoot = fs::weakly_canonical(fs::path(ASTS_CASES) / ".." / "..");
 const std::map<std::string, Names> kArrows{
     {"lib/exact", {"lib/exact/"}},
     {"lib/mesh", {"lib/exact/", "lib/mesh/"}},
-    {"lib/refine", {"lib/exact/", "lib/mesh/", "lib/refine/"}},
+    {"lib/threads", {"lib/threads/"}},
+    {"lib/refine", {"lib/exact/", "lib/threads/", "lib/mesh/", "lib/refine/"}},
     {"lib/spline", {"lib/exact/", "lib/mesh/", "lib/spline/"}},
+    {"lib/zones", {"lib/exact/", "lib/threads/", "lib/mesh/", "lib/spline/", "lib/zones/"}},
     {"lib/minimize", {"lib/exact/", "lib/mesh/", "lib/refine/", "lib/gen/", "lib/minimize/"}},
     {"lib/gen", {"lib/exact/", "lib/mesh/", "lib/refine/", "lib/gen/"}},
     {"properties", {"lib/", "properties/"}},
