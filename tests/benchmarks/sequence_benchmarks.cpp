@@ -1,0 +1,60 @@
+#include <memory>
+
+#include "properties/properties.hpp"
+#include "tests/benchmarks/measure.hpp"
+
+/// A check after each of 200 steps that mark one element each, from 10^5 elements on.
+namespace asts::benchmarks {
+
+namespace {
+
+constexpr int kSteps = 200;
+/// From scratch each step costs a whole check: a few are enough to know.
+constexpr int kStepsFromScratch = 4;
+
+/// The replay before the first of the single marks.
+std::unique_ptr<Replay> replay_before_marks(const Case& content) {
+  auto replay = std::make_unique<Replay>(content);
+  while (replay->counts().step + kSteps < static_cast<std::int64_t>(content.steps.size())) replay->advance();
+  return replay;
+}
+
+/// Calls visit(replay) after each of the first `steps` single marks. Counter: steps a second.
+template <typename Visit>
+void measure_steps(benchmark::State& state, const Input& input, int steps, Visit visit) {
+  const Case content = with_single_marks(input, kSteps);
+  for (auto _ : state) {
+    state.PauseTiming();
+    const auto replay = replay_before_marks(content);
+    state.ResumeTiming();
+    for (int step = 0; step < steps; ++step) {
+      replay->advance();
+      visit(*replay);
+    }
+  }
+  state.counters["steps"] = steps;
+  state.counters["steps/s"] = rate(steps);
+}
+
+void check_from_scratch(const Replay& replay) {
+  MeshUnderTest mesh(replay.tree());
+  for (const Property& property : all_properties()) benchmark::DoNotOptimize(decide(property, mesh));
+}
+
+}  // namespace
+
+void add_sequence_benchmarks() {
+  for (const Workload workload : {Workload::sphere, Workload::corner, Workload::random}) {
+    const Input input{workload, 3, 2, 100'000};
+    const auto add_steps = [&](const char* stage, int steps, void (*visit)(const Replay&)) {
+      benchmark::RegisterBenchmark((input.name() + "/" + stage).c_str(), [=](benchmark::State& state) {
+        measure_steps(state, input, steps, visit);
+      })->Unit(benchmark::kMillisecond);
+    };
+    add_steps("steps-refine", kSteps, [](const Replay&) {});
+    add_steps("steps-check-from-scratch", kStepsFromScratch, check_from_scratch);
+    // The check that decides only what a step touched belongs here: "steps-check", kSteps.
+  }
+}
+
+}  // namespace asts::benchmarks
