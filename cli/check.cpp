@@ -10,6 +10,7 @@
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "lib/refine/replay.hpp"
+#include "properties/sequence_under_test.hpp"
 #include "reports/check_report.hpp"
 
 namespace asts::cli {
@@ -65,7 +66,8 @@ class Checker {
       return;
     }
     Replay replay(input.content);
-    if (!options_.final_only || replay.done()) report(input, replay);
+    SequenceUnderTest sequence(replay, options_.jobs);
+    if (!options_.final_only || replay.done()) report(input, replay, sequence);
     while (!replay.done()) {
       stop_if_interrupted();
       show_progress(
@@ -75,7 +77,8 @@ class Checker {
         return;
       }
       replay.advance();
-      if (!options_.final_only || replay.done()) report(input, replay);
+      sequence.after_step();
+      if (!options_.final_only || replay.done()) report(input, replay, sequence);
     }
   }
 
@@ -105,9 +108,26 @@ class Checker {
   }
 
  private:
-  void report(const Input& input, const Replay& replay) {
-    MeshUnderTest mesh(replay.tree());
-    report(input, replay.counts().step, mesh);
+  /// A budget is counted in pairs of the whole mesh: with one, nothing is proven by other means.
+  void report(const Input& input, const Replay& replay, SequenceUnderTest& sequence) {
+    if (options_.pair_budget > 0) {
+      report(input, replay.counts().step, sequence.mesh());
+      return;
+    }
+    CheckRecord record;
+    record.case_name = input.name;
+    record.step = replay.counts().step;
+    for (const Property* property : properties_) {
+      stop_if_interrupted();
+      record.entries.push_back({property, sequence.decide(*property)});
+    }
+    for (const Claim* claim : claims_) {
+      stop_if_interrupted();
+      record.claims.push_back({claim, decide_claim(*claim, input.content, record.step, sequence.mesh())});
+    }
+    record.mesh = {{replay.tree().element_count(), replay.tree().new_element_count(), replay.tree().max_level(),
+                    sequence.active_nodes()}};
+    finish(record, input);
   }
 
   /// Whether no mesh is needed for what was asked.

@@ -18,6 +18,7 @@ struct CheckOptions {
   std::vector<std::string> claims;
   bool final_only = false;
   std::uint64_t pair_budget = 0;  ///< 0: none
+  int jobs = 1;
   Format format = Format::text;
 };
 

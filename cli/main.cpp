@@ -119,6 +119,8 @@ class CommandLine {
     command
         ->add_option("--budget", check_.pair_budget, "pairs of supports to look at for a property; beyond: undecided")
         ->check(CLI::PositiveNumber);
+    command->add_option("--jobs", check_.jobs, "threads at the same time; the result does not depend on it")
+        ->check(CLI::Range(1, 256));
     add_format(*command, check_.format);
     command->callback([this] { chosen_ = [this] { return check(check_); }; });
   }

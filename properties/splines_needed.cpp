@@ -4,12 +4,13 @@
 
 namespace asts {
 
+Verdict without_active_nodes(bool region_is_empty) {
+  return Verdict::not_applicable(region_is_empty ? "the active region is empty: no active node" : "no active node");
+}
+
 std::optional<Verdict> lacks_splines(MeshUnderTest& mesh) {
   const TSplines& splines = mesh.splines();
-  if (splines.size() == 0) {
-    return Verdict::not_applicable(splines.region.empty ? "the active region is empty: no active node"
-                                                        : "no active node");
-  }
+  if (splines.size() == 0) return without_active_nodes(splines.region.empty);
   if (!splines.missing) return std::nullopt;
   std::string node;
   for (Axis axis = 0; axis < kDimension; ++axis) {

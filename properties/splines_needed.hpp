@@ -11,4 +11,7 @@ namespace asts {
 /// blending function is not defined; nothing when splines can be spoken of.
 std::optional<Verdict> lacks_splines(MeshUnderTest& mesh);
 
+/// The verdict `not_applicable` on a mesh without active nodes.
+Verdict without_active_nodes(bool region_is_empty);
+
 }  // namespace asts

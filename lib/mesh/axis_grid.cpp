@@ -132,6 +132,16 @@ void AxisGrid::number_lines() {
   }
 }
 
+bool AxisGrid::windows_nested() const {
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    if (cells_[cell].depth <= 0 || cells_[cell].window_lower_line == kNone) continue;
+    const RankInterval& own = window_[cell];
+    const RankInterval& outer = window_[at(cells_[cell].parent)];
+    if (own.lower < outer.lower || own.upper > outer.upper) return false;
+  }
+  return true;
+}
+
 void AxisGrid::update_ranks() {
   if (!ranks_stale_) return;
   number_lines();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lib/exact/grid_coordinate.hpp"
@@ -51,6 +52,11 @@ class AxisGrid {
   RankInterval extent(std::int32_t cell) const { return extent_[at(cell)]; }
   RankInterval window(std::int32_t cell) const { return window_[at(cell)]; }
 
+  /// Whether the window of each cell lies in that of its parent, as far as windows are known. Then U(K') lies in U(K)
+  /// for every child K' of an element K: they have the same cell along two axes. Cost: linear in cells.
+  /// REQUIRES: ranks are up to date.
+  bool windows_nested() const;
+
   /// Renumbers the lines if new ones came. Cost: linear in cells when there are new lines, constant otherwise.
   void update_ranks();
 
@@ -59,6 +65,15 @@ class AxisGrid {
   std::int32_t line_of_rank(std::int32_t rank) const { return line_of_rank_[at(rank)]; }
   std::int32_t rank_of_line(std::int32_t line) const { return rank_of_line_[at(line)]; }
   Rational coordinate(std::int32_t line) const { return lines_[at(line)].to_rational(); }
+  int grading() const { return grading_; }
+  /// A line's coordinate is index / m^depth, and m does not divide the index unless the depth is 0.
+  std::int32_t line_depth(std::int32_t line) const { return lines_[at(line)].depth(); }
+  /// Nothing when it does not fit into 64 bits.
+  std::optional<std::int64_t> small_line_index(std::int32_t line) const {
+    const GridCoordinate& coordinate = lines_[at(line)];
+    if (!coordinate.is_small()) return std::nullopt;
+    return coordinate.small_index();
+  }
 
  private:
   struct Cell {

@@ -27,6 +27,12 @@ class PairTable {
     return slots_[slot].value;
   }
 
+  /// Forgets all values.
+  void clear() {
+    slots_.assign(256, Slot{});
+    used_ = 0;
+  }
+
  private:
   static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
   struct Slot {

@@ -1,5 +1,7 @@
 #include "lib/refine/admissibility.hpp"
 
+#include <algorithm>
+#include <map>
 #include <vector>
 
 #include "lib/refine/patch_search.hpp"
@@ -39,6 +41,15 @@ bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::
     if (!clear) return false;
   }
   return true;
+}
+
+bool stays_admissible(const RefinementTree& tree, std::span<const std::int32_t> subdivided) {
+  std::map<std::int32_t, std::vector<std::int32_t>> by_level;
+  for (const std::int32_t id : subdivided) by_level[tree.node(id).level].push_back(id);
+  PatchSearch search(tree);
+  return std::all_of(by_level.begin(), by_level.end(), [&](const auto& level) {
+    return search.coarser_in_patches(level.second, level.first, [](std::int32_t, std::int32_t) { return false; });
+  });
 }
 
 }  // namespace asts

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+
+#include "lib/mesh/refinement_tree.hpp"
+
+namespace asts {
+
+/// A closed box between lines of a refinement tree, by the ranks of the tree's lines (which are more than a mesh's).
+struct RankBox {
+  PerAxis<RankInterval> side;
+
+  RankInterval& operator[](Axis axis) { return side[at(axis)]; }
+  const RankInterval& operator[](Axis axis) const { return side[at(axis)]; }
+};
+
+inline RankBox box_of(const RefinementTree& tree, std::int32_t id) {
+  RankBox box;
+  for (Axis axis = 0; axis < kDimension; ++axis) box[axis] = tree.extent(id, axis);
+  return box;
+}
+
+/// The active region (Definition 4.1) along an axis, by ranks; lower > upper when it is empty. Line i is the integer i.
+/// REQUIRES: up-to-date ranks.
+RankInterval active_range(const RefinementTree& tree, Axis axis);
+bool active_region_is_empty(const RefinementTree& tree);
+
+/// Whether two closed intervals, or boxes, have a point in common.
+inline bool touch(const RankInterval& one, const RankInterval& other) {
+  return one.lower <= other.upper && other.lower <= one.upper;
+}
+inline bool touch(const RankBox& one, const RankBox& other) {
+  return std::equal(one.side.begin(), one.side.end(), other.side.begin(),
+                    [](const RankInterval& a, const RankInterval& b) { return touch(a, b); });
+}
+
+/// The least box that contains two.
+inline RankBox hull(RankBox one, const RankBox& other) {
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    one[axis].lower = std::min(one[axis].lower, other[axis].lower);
+    one[axis].upper = std::max(one[axis].upper, other[axis].upper);
+  }
+  return one;
+}
+
+/// How much is worked on at a time. Results do not depend on it.
+struct ZoneLimits {
+  std::int32_t elements =
+      4096;  ///< of a new zone at most; one that has grown is divided when it has twice as many nodes
+  std::size_t lines =
+      64;  ///< of a zone's window, and of a box in which violations are looked for, along one axis; at most 64
+};
+
+}  // namespace asts

@@ -1,0 +1,238 @@
+#include "lib/zones/zone_check.hpp"
+
+#include <bit>
+#include <numeric>
+
+namespace asts {
+
+namespace {
+
+constexpr Axis next(Axis axis) { return (axis + 1) % kDimension; }
+constexpr std::size_t kLines = ZoneAxis::kMostLines;
+
+template <typename Visit>
+void for_each_bit(std::uint64_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+}  // namespace
+
+ZoneCheck::ZoneCheck(const RefinementTree& tree, const std::vector<VectorStore>& stores, const ZoneLimits& limits)
+    : tree_(&tree), limits_(limits), stores_(&stores) {
+  axes_.reserve(kDimension);
+  for (const int degree : tree.setting().degree) axes_.emplace_back(degree);
+}
+
+void ZoneCheck::begin(const RankBox& box) {
+  nodes_.clear();
+  for (Axis axis = 0; axis < kDimension; ++axis) axes_[at(axis)].begin(box[axis]);
+}
+
+ZoneCheck::Cut ZoneCheck::number_lines() {
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const std::int32_t rank = axes_[at(axis)].number_lines((*stores_)[at(axis)], tree_->grid(axis),
+                                                           active_range(*tree_, axis), limits_.lines);
+    if (rank >= 0) return {axis, rank};
+  }
+  return {};
+}
+
+Proven ZoneCheck::decide() {
+  Proven proven;
+  int irregular = 0;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    irregular_[at(axis)] = axes_[at(axis)].find_failures();
+    irregular += irregular_[at(axis)] ? 1 : 0;
+    axes_[at(axis)].forget_factors();
+  }
+  for (Axis axis = kDimension - 1; axis >= 0; --axis) {
+    const bool pairs = irregular_[at(axis)] && irregular_[at(next(axis))];
+    const bool painted = irregular_[at(axis)] && irregular > 1;
+    if (axis == 0 || pairs || painted) group_by(axis);
+    if (pairs) proven.dual_compatible = proven.dual_compatible && compatible(axis);
+    if (painted) paint(axis);
+  }
+  proven.dual_basis = dual_basis();  // with the groups of axis 0
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    if (irregular_[at(axis)] && irregular_[at(next(axis))] && regions_meet(axis)) proven.analysis_suitable = false;
+  }
+  return proven;
+}
+
+/// Groups the nodes by their vectors along an axis and the next one: counting sorts by one vector after the other.
+void ZoneCheck::group_by(Axis axis) {
+  order_.resize(nodes_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  for (const Axis by : {next(next(axis)), next(axis), axis}) {
+    begin_.assign(axes_[at(by)].size() + 1, 0);
+    for (const auto& node : nodes_) ++begin_[at(node[at(by)]) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    sorted_.resize(nodes_.size());
+    for (const std::int32_t node : order_) sorted_[begin_[at(nodes_[at(node)][at(by)])]++] = node;
+    order_.swap(sorted_);
+  }
+  columns_.clear();
+  rows_.clear();
+  row_.assign(axes_[at(axis)].size(), -1);
+  std::vector<std::int32_t> row;
+  for (std::size_t i = 0; i < order_.size();) {
+    const std::int32_t first = nodes_[at(order_[i])][at(axis)];
+    row.clear();
+    while (i < order_.size() && nodes_[at(order_[i])][at(axis)] == first) {
+      const std::int32_t second = nodes_[at(order_[i])][at(next(axis))];
+      const std::size_t begin = i;
+      for (; i < order_.size() && nodes_[at(order_[i])][at(axis)] == first &&
+             nodes_[at(order_[i])][at(next(axis))] == second;
+           ++i) {
+        sorted_[i] = nodes_[at(order_[i])][at(next(next(axis)))];
+      }
+      row.push_back(second);
+      row.push_back(columns_.intern(std::span(sorted_).subspan(begin, i - begin)));
+    }
+    row_[at(first)] = rows_.intern(row);
+  }
+}
+
+/// Whether two columns have nodes whose supports' interiors meet along the column.
+bool ZoneCheck::interiors_meet(std::int32_t one, std::int32_t other, const ZoneAxis& along) const {
+  for (const std::int32_t i : columns_[one]) {
+    for (const std::int32_t j : columns_[other]) {
+      if (along.meet(at(i), at(j))) return true;
+    }
+  }
+  return false;
+}
+
+bool ZoneCheck::rows_compatible(Axis axis, std::int32_t one, std::int32_t other) const {
+  const ZoneAxis& second = axes_[at(next(axis))];
+  const ZoneAxis& third = axes_[at(next(next(axis)))];
+  const auto first_row = rows_[one];
+  const auto other_row = rows_[other];
+  for (std::size_t i = 0; i < first_row.size(); i += 2) {
+    if (!second.fails_anywhere(at(first_row[i]))) continue;
+    for (std::size_t j = 0; j < other_row.size(); j += 2) {
+      if (second.fails(at(first_row[i]), at(other_row[j])) &&
+          interiors_meet(first_row[i + 1], other_row[j + 1], third)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Whether no two nodes with supports that meet in positive volume fail to overlap along this axis and the next one.
+/// Where vectors fail to overlap, the interiors of their ranges meet (AxisOverlap).
+bool ZoneCheck::compatible(Axis axis) {
+  const ZoneAxis& first = axes_[at(axis)];
+  known_rows_.clear();
+  for (std::size_t x = 0; x < first.size(); ++x) {
+    if (row_[x] < 0 || !first.fails_anywhere(x)) continue;
+    for (std::size_t other = x + 1; other < first.size(); ++other) {
+      if (row_[other] < 0 || !first.fails(x, other)) continue;
+      if (!known_rows_.get(row_[x], row_[other], [&] { return rows_compatible(axis, row_[x], row_[other]); })) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Whether lambda_v(B_w) = 0 for v in one column and w in another, v not w, when the other two factors are not 0.
+bool ZoneCheck::dual_columns(std::int32_t one, std::int32_t other, bool same) {
+  ZoneAxis& third = axes_[kDimension - 1];
+  for (const std::int32_t i : columns_[one]) {
+    for (const std::int32_t j : columns_[other]) {
+      if (same && i == j) continue;  // v = w
+      if (third.nonzero((*stores_)[kDimension - 1], at(i), at(j))) return false;
+    }
+  }
+  return true;
+}
+
+/// The same for rows, when the factor along the first axis is not 0.
+bool ZoneCheck::dual_rows(std::int32_t one, std::int32_t other, bool same) {
+  const auto first_row = rows_[one];
+  const auto other_row = rows_[other];
+  for (std::size_t i = 0; i < first_row.size(); i += 2) {
+    for (std::size_t j = 0; j < other_row.size(); j += 2) {
+      if (!axes_[1].nonzero((*stores_)[1], at(first_row[i]), at(other_row[j]))) continue;
+      const bool same_line = same && first_row[i] == other_row[j];
+      const std::int32_t column = first_row[i + 1];
+      const std::int32_t other_column = other_row[j + 1];
+      const bool zero =
+          same_line
+              ? known_columns_.get(column, columns_.size(), [&] { return dual_columns(column, column, true); })
+              : known_columns_.get(column, other_column, [&] { return dual_columns(column, other_column, false); });
+      if (!zero) return false;
+    }
+  }
+  return true;
+}
+
+bool ZoneCheck::dual_basis() {
+  for (std::size_t a = 0; a < kDimension; ++a) {
+    for (std::size_t i = 0; i < axes_[a].size(); ++i) {
+      if (!axes_[a].is_one((*stores_)[a], i)) return false;  // then products would have to be looked at
+    }
+  }
+  known_rows_.clear();
+  known_columns_.clear();
+  for (std::size_t x = 0; x < axes_[0].size(); ++x) {
+    if (row_[x] < 0) continue;
+    for (std::size_t other = 0; other < axes_[0].size(); ++other) {
+      if (row_[other] < 0 || !axes_[0].nonzero((*stores_)[0], x, other)) continue;
+      const std::int32_t one = row_[x];
+      const std::int32_t two = row_[other];
+      const bool zero = x == other ? known_rows_.get(one, rows_.size(), [&] { return dual_rows(one, one, true); })
+                                   : known_rows_.get(one, two, [&] { return dual_rows(one, two, false); });
+      if (!zero) return false;
+    }
+  }
+  return true;
+}
+
+/// R_a (Definition 5.1) at the points of the box on lines of all axes.
+void ZoneCheck::paint(Axis axis) {
+  const ZoneAxis& first = axes_[at(axis)];
+  const ZoneAxis& second = axes_[at(next(axis))];
+  const ZoneAxis& third = axes_[at(next(next(axis)))];
+  having_.assign(first.line_count() * kLines, 0);
+  lacking_.assign(having_.size(), 0);
+  std::vector<std::uint64_t> plane;
+  for (std::size_t x = 0; x < first.size(); ++x) {
+    if (row_[x] < 0 || !first.fails_anywhere(x)) continue;
+    const auto row = rows_[row_[x]];
+    plane.assign(second.line_count(), 0);
+    for (std::size_t i = 0; i < row.size(); i += 2) {
+      std::uint64_t word = 0;
+      for (const std::int32_t z : columns_[row[i + 1]]) word |= third.reached(at(z));
+      word &= third.active();
+      for_each_bit(second.reached(at(row[i])) & second.active(), [&](std::size_t line) { plane[line] |= word; });
+    }
+    const std::uint64_t entries = first.entries(x);
+    for_each_bit(first.reached(x) & first.active(), [&](std::size_t line) {
+      std::uint64_t* const words = ((entries >> line & 1) != 0 ? having_ : lacking_).data() + line * kLines;
+      for (std::size_t i = 0; i < plane.size(); ++i) words[i] |= plane[i];
+    });
+  }
+  std::vector<std::uint64_t>& region = regions_[at(axis)];
+  region.resize(having_.size());
+  for (std::size_t i = 0; i < region.size(); ++i) region[i] = having_[i] & lacking_[i];
+}
+
+/// Whether the regions of this axis and the next one have a common point.
+bool ZoneCheck::regions_meet(Axis axis) const {
+  const std::vector<std::uint64_t>& one = regions_[at(axis)];
+  const std::vector<std::uint64_t>& other = regions_[at(next(axis))];
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const std::size_t first = i / kLines;
+    const std::size_t second = i % kLines;
+    bool found = false;
+    for_each_bit(one[i],
+                 [&](std::size_t third) { found = found || (other[second * kLines + third] >> first & 1) != 0; });
+    if (found) return true;
+  }
+  return false;
+}
+
+}  // namespace asts

@@ -1,0 +1,234 @@
+#include "lib/zones/zone_nodes.hpp"
+
+#include <bit>
+
+#include "lib/exact/errors.hpp"
+
+namespace asts {
+
+namespace {
+
+constexpr Axis next(Axis axis) { return (axis + 1) % kDimension; }
+
+}  // namespace
+
+std::size_t ZoneScanner::WordTable::slot_of(std::uint64_t word) const {
+  const std::size_t mask = slots.size() - 1;
+  std::size_t slot = (word * 0x9E3779B97F4A7C15ull >> 32) & mask;
+  while (slots[slot] >= 0 && words[at(slots[slot])] != word) slot = (slot + 1) & mask;
+  return slot;
+}
+
+std::size_t ZoneScanner::WordTable::number_of(std::uint64_t word) {
+  const std::size_t slot = slot_of(word);
+  if (slots[slot] >= 0) return at(slots[slot]);
+  slots[slot] = static_cast<std::int32_t>(words.size());
+  words.push_back(word);
+  if (2 * words.size() > slots.size()) {
+    slots.assign(2 * slots.size(), -1);
+    for (std::size_t i = 0; i < words.size(); ++i) slots[slot_of(words[i])] = static_cast<std::int32_t>(i);
+  }
+  return words.size() - 1;
+}
+
+void ZoneScanner::WordTable::clear() {
+  words.clear();
+  slots.assign(256, -1);
+}
+
+/// Appends the leaves that touch a box.
+void ZoneScanner::gather(const RankBox& box, std::vector<RankBox>& leaves) {
+  pending_.assign(1, 0);
+  while (!pending_.empty()) {
+    const std::int32_t id = pending_.back();
+    pending_.pop_back();
+    const RankBox own = box_of(*tree_, id);
+    if (!touch(own, box)) continue;
+    if (tree_->is_leaf(id)) {
+      leaves.push_back(own);
+    } else {
+      tree_->push_children(id, pending_);
+    }
+  }
+}
+
+/// Where the window ends along an axis, below or above the zone.
+std::int32_t ZoneScanner::extend(Axis axis, int direction) {
+  const int reach = (tree_->setting().degree[at(axis)] + 1) / 2;
+  std::int32_t end = direction > 0 ? own_[axis].upper : own_[axis].lower;
+  std::vector<RankBox>& leaves = slabs_[at(axis)];
+  for (int i = 0; i < reach; ++i) {
+    RankBox plane = own_;
+    plane[axis] = {end, end};
+    leaves.clear();
+    gather(plane, leaves);
+    for (const RankBox& leaf : leaves) {
+      end = direction > 0 ? std::max(end, leaf[axis].upper) : std::min(end, leaf[axis].lower);
+    }
+  }
+  return end;
+}
+
+void ZoneScanner::mark_ends(Axis axis, const std::vector<RankBox>& leaves) {
+  Lines& lines = lines_[at(axis)];
+  const RankInterval& window = window_[at(axis)];
+  for (const RankBox& leaf : leaves) {
+    for (const std::int32_t end : {leaf[axis].lower, leaf[axis].upper}) {
+      if (end >= window.lower && end <= window.upper) lines.below[at(end - lines.begin)] = 1;
+    }
+  }
+}
+
+/// Numbers the lines of a window; false if there are too many.
+bool ZoneScanner::number_lines(Axis axis) {
+  Lines& lines = lines_[at(axis)];
+  const RankInterval& window = window_[at(axis)];
+  lines.begin = window.lower;
+  lines.below.assign(at(window.upper - window.lower + 2), 0);
+  mark_ends(axis, core_);
+  mark_ends(axis, slabs_[at(axis)]);
+  for (const std::int32_t end : {own_[axis].lower, own_[axis].upper}) lines.below[at(end - lines.begin)] = 1;
+  lines.rank.clear();
+  for (std::size_t i = 0; i < lines.below.size(); ++i) {
+    const bool in_use = lines.below[i] != 0;
+    lines.below[i] = static_cast<std::uint8_t>(lines.rank.size());
+    if (!in_use) continue;
+    if (lines.rank.size() == most_lines_) return false;
+    lines.rank.push_back(lines.begin + static_cast<std::int32_t>(i));
+  }
+  lines.first = lines.number_from(own_[axis].lower);
+  lines.last = lines.number_from(own_[axis].upper);
+  return true;
+}
+
+/// The numbers of the zone's own lines that an element's side contains.
+RankInterval ZoneScanner::clipped(Axis axis, const RankInterval& side) const {
+  const Lines& lines = lines_[at(axis)];
+  return {lines.number_from(std::max(side.lower, own_[axis].lower)),
+          lines.number_from(std::min(side.upper, own_[axis].upper) + 1) - 1};
+}
+
+/// The bit of a line; none beyond the window.
+std::uint64_t ZoneScanner::bit(Axis axis, std::int32_t rank) const {
+  if (rank < window_[at(axis)].lower || rank > window_[at(axis)].upper) return 0;
+  return std::uint64_t{1} << lines_[at(axis)].number_from(rank);
+}
+
+/// The place of the word of a line parallel to an axis, by the numbers of lines of the next axis and the one after it.
+std::size_t ZoneScanner::place(Axis across, std::int32_t one, std::int32_t other) const {
+  const Lines& second = lines_[at(next(next(across)))];
+  return at(one - lines_[at(next(across))].first) * second.own() + at(other - second.first);
+}
+
+void ZoneScanner::add_entries(Axis axis, const std::vector<RankBox>& leaves) {
+  const Axis one = next(axis);
+  const Axis other = next(one);
+  std::vector<std::uint64_t>& words = entries_[at(axis)];
+  for (const RankBox& leaf : leaves) {
+    const std::uint64_t bits = bit(axis, leaf[axis].lower) | bit(axis, leaf[axis].upper);
+    const RankInterval rows = clipped(one, leaf[one]);
+    const RankInterval columns = clipped(other, leaf[other]);
+    for (std::int32_t row = rows.lower; row <= rows.upper; ++row) {
+      std::uint64_t* const word = words.data() + place(axis, row, columns.lower);
+      for (std::int32_t i = 0; i <= columns.upper - columns.lower; ++i) word[i] |= bits;
+    }
+  }
+}
+
+void ZoneScanner::add_vertices() {
+  const auto inside = [this](Axis axis, std::int32_t rank) {
+    return rank >= own_[axis].lower && rank <= own_[axis].upper;
+  };
+  for (const RankBox& leaf : core_) {
+    std::uint64_t bits = 0;
+    for (const std::int32_t x : {leaf[0].lower, leaf[0].upper}) bits |= inside(0, x) ? bit(0, x) : 0;
+    for (const std::int32_t y : {leaf[1].lower, leaf[1].upper}) {
+      if (!inside(1, y)) continue;
+      for (const std::int32_t z : {leaf[2].lower, leaf[2].upper}) {
+        if (inside(2, z)) vertices_[place(0, clipped(1, {y, y}).lower, clipped(2, {z, z}).lower)] |= bits;
+      }
+    }
+  }
+}
+
+/// The bit of a number among the entries of a line, and the `reach` next ones on either side.
+std::uint64_t ZoneScanner::vector_around(std::uint64_t entries, std::int32_t number, int reach) const {
+  const std::uint64_t own = std::uint64_t{1} << number;
+  std::uint64_t vector = own;
+  std::uint64_t above = entries & ~(own | (own - 1));
+  std::uint64_t below = entries & (own - 1);
+  ensure((entries & own) != 0 && std::popcount(above) >= reach && std::popcount(below) >= reach,
+         "an index vector lies in the window of its zone");
+  for (int i = 0; i < reach; ++i) {
+    vector |= above & (~above + 1);
+    above &= above - 1;
+    const std::uint64_t highest = std::bit_floor(below);
+    vector |= highest;
+    below ^= highest;
+  }
+  return vector;
+}
+
+void ZoneScanner::collect(ZoneNodes& result) {
+  const PerAxis<int>& degree = tree_->setting().degree;
+  const auto number = [&](Axis axis, std::size_t where, std::int32_t own) {
+    const std::uint64_t word = vector_around(entries_[at(axis)][where], own, (degree[at(axis)] + 1) / 2);
+    return static_cast<std::uint16_t>(known_[at(axis)].number_of(word));
+  };
+  for (std::int32_t y = lines_[1].first; y <= lines_[1].last; ++y) {
+    for (std::int32_t z = lines_[2].first; z <= lines_[2].last; ++z) {
+      for (std::uint64_t rest = vertices_[place(0, y, z)]; rest != 0; rest &= rest - 1) {
+        const std::int32_t x = std::countr_zero(rest);
+        result.nodes.push_back(
+            {number(0, place(0, y, z), x), number(1, place(1, z, x), y), number(2, place(2, x, y), z)});
+      }
+    }
+  }
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    ensure(known_[at(axis)].words.size() <= std::numeric_limits<std::uint16_t>::max(), "a zone has few index vectors");
+    for (const std::uint64_t word : known_[at(axis)].words) {
+      for (std::uint64_t rest = word; rest != 0; rest &= rest - 1) {
+        const std::int32_t rank = lines_[at(axis)].rank[static_cast<std::size_t>(std::countr_zero(rest))];
+        result.vectors[at(axis)].push_back(tree_->grid(axis).line_of_rank(rank));
+      }
+    }
+  }
+}
+
+bool ZoneScanner::scan(std::int32_t zone, ZoneNodes& result) {
+  result = {};
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const RankInterval side = tree_->extent(zone, axis);
+    const RankInterval active = active_range(*tree_, axis);
+    own_[axis] = {std::max(side.lower, active.lower), std::min(side.upper - 1, active.upper)};
+    if (own_[axis].lower > own_[axis].upper) return true;
+  }
+  result.empty = false;
+  core_.clear();
+  gather(own_, core_);
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    window_[at(axis)] = {extend(axis, -1), extend(axis, +1)};
+    std::vector<RankBox>& slab = slabs_[at(axis)];
+    slab.clear();
+    RankBox part = own_;
+    part[axis] = {window_[at(axis)].lower, own_[axis].lower};
+    gather(part, slab);
+    part[axis] = {own_[axis].upper, window_[at(axis)].upper};
+    gather(part, slab);
+    if (!number_lines(axis)) return false;
+    const AxisGrid& grid = tree_->grid(axis);
+    result.window[at(axis)] = {grid.line_of_rank(window_[at(axis)].lower), grid.line_of_rank(window_[at(axis)].upper)};
+    known_[at(axis)].clear();
+  }
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    entries_[at(axis)].assign(lines_[at(next(axis))].own() * lines_[at(next(next(axis)))].own(), 0);
+    add_entries(axis, core_);
+    add_entries(axis, slabs_[at(axis)]);
+  }
+  vertices_.assign(entries_[0].size(), 0);
+  add_vertices();
+  collect(result);
+  return true;
+}
+
+}  // namespace asts

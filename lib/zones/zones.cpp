@@ -1,0 +1,231 @@
+#include "lib/zones/zones.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "lib/threads/parallel_for.hpp"
+
+namespace asts {
+
+namespace {
+
+/// The nodes of the tree that become zones: the highest with few enough leaves.
+std::vector<std::int32_t> small_subtrees(const RefinementTree& tree, std::int32_t most_leaves) {
+  std::vector<std::int32_t> leaves(at(tree.node_count()), 0);
+  for (std::int32_t id = tree.node_count(); id-- > 0;) {  // children come after their parents
+    if (tree.is_leaf(id)) leaves[at(id)] = 1;
+    if (tree.node(id).parent >= 0) leaves[at(tree.node(id).parent)] += leaves[at(id)];
+  }
+  std::vector<std::int32_t> result;
+  std::vector<std::int32_t> pending{0};
+  while (!pending.empty()) {
+    const std::int32_t id = pending.back();
+    pending.pop_back();
+    if (leaves[at(id)] <= most_leaves) {
+      result.push_back(id);
+    } else {
+      tree.push_children(id, pending);
+    }
+  }
+  return result;
+}
+
+std::vector<VectorStore> empty_stores(const RefinementTree& tree) {
+  std::vector<VectorStore> stores;
+  for (const int degree : tree.setting().degree) stores.emplace_back(degree);
+  return stores;
+}
+
+using VectorIds = PerAxis<std::int32_t>;
+
+VectorIds ids_of(const Zone& zone, const PerAxis<std::uint16_t>& node) {
+  VectorIds ids;
+  for (std::size_t axis = 0; axis < kDimension; ++axis) ids[axis] = zone.vectors[axis][node[axis]];
+  return ids;
+}
+
+}  // namespace
+
+Zones::Zones(const RefinementTree& tree, const ZoneLimits& limits)
+    : tree_(tree),
+      limits_(limits),
+      stores_(empty_stores(tree)),
+      supports_(tree),
+      reaches_(tree),
+      scanner_(tree, limits.lines) {}
+
+Zone Zones::zone_of(std::int32_t tree_node, const ZoneNodes& found) {
+  Zone zone{tree_node, true, found.empty, {}, found.nodes, found.window};
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const std::span<const std::int32_t> lines(found.vectors[at(axis)]);
+    const std::size_t length = at(tree_.setting().degree[at(axis)]) + 2;
+    for (std::size_t i = 0; i < lines.size(); i += length) {
+      zone.vectors[at(axis)].push_back(stores_[at(axis)].intern(tree_.grid(axis), lines.subspan(i, length)));
+    }
+  }
+  return zone;
+}
+
+/// Appends the zones of a node of the tree: itself, or where too much is in it those of its children.
+void Zones::scan(std::int32_t tree_node, std::vector<Zone>& zones) {
+  ZoneNodes found;
+  const bool fits = scanner_.scan(tree_node, found);
+  if (tree_.is_leaf(tree_node) || (fits && found.nodes.size() <= 2 * at(limits_.elements))) {
+    zones.push_back(zone_of(tree_node, found));
+    zones.back().known = fits;
+    return;
+  }
+  std::vector<std::int32_t> children;
+  tree_.push_children(tree_node, children);
+  for (std::size_t i = children.size(); i-- > 0;) scan(children[i], zones);
+}
+
+void Zones::rebuild(int jobs) {
+  const std::vector<std::int32_t> subtrees = small_subtrees(tree_, limits_.elements);
+  std::vector<ZoneNodes> found(subtrees.size());
+  std::vector<char> fits(subtrees.size());
+  std::vector<ZoneScanner> scanners(static_cast<std::size_t>(jobs), ZoneScanner(tree_, limits_.lines));
+  parallel_for(jobs, subtrees.size(), [&](std::size_t i, int worker) {
+    fits[i] = scanners[static_cast<std::size_t>(worker)].scan(subtrees[i], found[i]) ? 1 : 0;
+  });
+  stores_ = empty_stores(tree_);
+  zones_.clear();
+  for (std::size_t i = 0; i < subtrees.size(); ++i) {
+    if (fits[i] != 0) {
+      zones_.push_back(zone_of(subtrees[i], found[i]));
+    } else {
+      scan(subtrees[i], zones_);
+    }
+    found[i] = {};
+  }
+  index_all();
+}
+
+/// The hull of the supports of a zone's nodes, by lines.
+RankBox Zones::support_hull(const Zone& zone) const {
+  RankBox box = BoxTree::nothing();
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const AxisGrid& grid = tree_.grid(axis);
+    for (const std::int32_t id : zone.vectors[at(axis)]) {
+      const auto lines = stores_[at(axis)][id];
+      RankInterval& side = box[axis];
+      if (side.lower < 0) side = {lines.front(), lines.back()};
+      if (grid.rank_of_line(lines.front()) < grid.rank_of_line(side.lower)) side.lower = lines.front();
+      if (grid.rank_of_line(lines.back()) > grid.rank_of_line(side.upper)) side.upper = lines.back();
+    }
+  }
+  return box;
+}
+
+/// A box that contains all elements that a zone's nodes and vectors are decided from, by lines.
+RankBox Zones::reach(const Zone& zone) const {
+  if (zone.empty) return BoxTree::nothing();
+  RankBox box;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const AxisGrid& grid = tree_.grid(axis);
+    const RankInterval own = tree_.extent(zone.tree_node, axis);
+    box[axis] = zone.window[at(axis)];
+    if (own.lower < grid.rank_of_line(box[axis].lower)) box[axis].lower = grid.line_of_rank(own.lower);
+    if (own.upper > grid.rank_of_line(box[axis].upper)) box[axis].upper = grid.line_of_rank(own.upper);
+  }
+  return box;
+}
+
+void Zones::index_all() {
+  std::vector<RankBox> supports;
+  std::vector<RankBox> reaches;
+  for (const Zone& zone : zones_) {
+    supports.push_back(support_hull(zone));
+    reaches.push_back(reach(zone));
+  }
+  supports_.assign(supports);
+  reaches_.assign(reaches);
+}
+
+bool Zones::known() const {
+  return std::all_of(zones_.begin(), zones_.end(), [](const Zone& zone) { return zone.known; });
+}
+
+std::int64_t Zones::active_nodes() const {
+  std::int64_t count = 0;
+  for (const Zone& zone : zones_) count += static_cast<std::int64_t>(zone.nodes.size());
+  return count;
+}
+
+/// Whether subdividing an element may change the nodes of a zone or their vectors.
+bool Zones::depends_on(const Zone& zone, std::int32_t element) const {
+  RankBox box = box_of(tree_, zone.tree_node);
+  const Axis split = tree_.split_axis(element);
+  const AxisGrid& grid = tree_.grid(split);
+  const RankInterval& window = zone.window[at(split)];
+  box[split].lower = std::min(box[split].lower, grid.rank_of_line(window.lower));
+  box[split].upper = std::max(box[split].upper, grid.rank_of_line(window.upper));
+  return touch(box, box_of(tree_, element));
+}
+
+std::vector<std::size_t> Zones::affected(std::span<const std::int32_t> subdivided) const {
+  std::set<std::size_t> places;
+  for (const std::int32_t element : subdivided) {
+    reaches_.for_each_touching(box_of(tree_, element), [&](std::size_t place) {
+      if (depends_on(zones_[place], element)) places.insert(place);
+    });
+  }
+  return {places.begin(), places.end()};
+}
+
+/// Appends the hull of the supports of the nodes that a zone did not have before, if there are any.
+void Zones::append_changes(const Zone& before, std::span<const Zone> after, std::vector<RankBox>& boxes) const {
+  std::vector<VectorIds> known;
+  for (const auto& node : before.nodes) known.push_back(ids_of(before, node));
+  std::sort(known.begin(), known.end());
+  std::optional<RankBox> changed;
+  for (const Zone& zone : after) {
+    for (const auto& node : zone.nodes) {
+      const VectorIds ids = ids_of(zone, node);
+      if (std::binary_search(known.begin(), known.end(), ids)) continue;
+      RankBox support;
+      for (Axis axis = 0; axis < kDimension; ++axis) {
+        const auto lines = stores_[at(axis)][ids[at(axis)]];
+        support[axis] = {tree_.grid(axis).rank_of_line(lines.front()), tree_.grid(axis).rank_of_line(lines.back())};
+      }
+      changed = changed ? hull(*changed, support) : support;
+    }
+  }
+  if (changed) boxes.push_back(*changed);
+}
+
+std::vector<RankBox> Zones::update(std::span<const std::int32_t> subdivided) {
+  std::vector<RankBox> boxes;
+  std::vector<std::pair<std::size_t, std::vector<Zone>>> replaced;
+  bool same_count = true;
+  for (const std::size_t place : affected(subdivided)) {
+    std::vector<Zone> after;
+    scan(zones_[place].tree_node, after);
+    append_changes(zones_[place], after, boxes);
+    same_count = same_count && after.size() == 1;
+    replaced.emplace_back(place, std::move(after));
+  }
+  if (same_count) {
+    for (auto& [place, after] : replaced) {
+      zones_[place] = std::move(after.front());
+      supports_.replace(place, support_hull(zones_[place]));
+      reaches_.replace(place, reach(zones_[place]));
+    }
+    return boxes;
+  }
+  std::vector<Zone> zones;
+  auto next = replaced.begin();
+  for (std::size_t place = 0; place < zones_.size(); ++place) {
+    if (next == replaced.end() || next->first != place) {
+      zones.push_back(std::move(zones_[place]));
+      continue;
+    }
+    std::move(next->second.begin(), next->second.end(), std::back_inserter(zones));
+    ++next;
+  }
+  zones_ = std::move(zones);
+  index_all();
+  return boxes;
+}
+
+}  // namespace asts

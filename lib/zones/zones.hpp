@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/zones/box_tree.hpp"
+#include "lib/zones/vector_store.hpp"
+#include "lib/zones/zone_nodes.hpp"
+
+namespace asts {
+
+/// A part of a mesh: the box of a node of the refinement tree, with the active nodes that belong to it (ZoneScanner).
+struct Zone {
+  std::int32_t tree_node = 0;
+  bool known = true;                           ///< false: too many lines for one word run through a single element
+  bool empty = true;                           ///< does not meet the active region
+  PerAxis<std::vector<std::int32_t>> vectors;  ///< distinct index vectors, identifiers in Zones::stores
+  std::vector<PerAxis<std::uint16_t>> nodes;   ///< for each active node the places of its vectors in these
+  PerAxis<RankInterval> window;                ///< the lines, not ranks, between which the vectors are decided
+};
+
+/// The active nodes and index vectors of the mesh of a growing refinement tree, zone by zone.
+///
+/// The domain is cut into zones of some thousand elements, so that what is worked on stays in the processor's cache and
+/// the cost for an element does not depend on how many there are.
+///
+/// After a step only the zones that have changed nodes are looked at again. An element that is subdivided along an axis
+/// gets faces orthogonal to it: index vectors change along this axis only, of nodes whose zone has a window along the
+/// axis that touches the element. A new node is a vertex of the element's children: its zone touches the element.
+class Zones {
+ public:
+  /// REQUIRES: the tree outlives it; ranks are up to date at every call. Nothing is known before rebuild().
+  explicit Zones(const RefinementTree& tree, const ZoneLimits& limits = {});
+
+  /// From scratch, by so many threads. Cost: linear in elements.
+  void rebuild(int jobs);
+
+  /// After a step that subdivided these nodes of the tree: boxes (of ranks) that contain the supports of all nodes that
+  /// are new or have a new index vector. Cost: that of the zones that have any.
+  std::vector<RankBox> update(std::span<const std::int32_t> subdivided);
+
+  const ZoneLimits& limits() const { return limits_; }
+  const RefinementTree& tree() const { return tree_; }
+  const std::vector<Zone>& list() const { return zones_; }
+  const std::vector<VectorStore>& stores() const { return stores_; }
+  /// Finds zones by the hull of their nodes' supports.
+  const BoxTree& supports() const { return supports_; }
+  /// Whether all zones are known.
+  bool known() const;
+  std::int64_t active_nodes() const;
+
+ private:
+  Zone zone_of(std::int32_t tree_node, const ZoneNodes& found);
+  void scan(std::int32_t tree_node, std::vector<Zone>& zones);
+  RankBox support_hull(const Zone& zone) const;
+  RankBox reach(const Zone& zone) const;
+  void index_all();
+  std::vector<std::size_t> affected(std::span<const std::int32_t> subdivided) const;
+  bool depends_on(const Zone& zone, std::int32_t element) const;
+  void append_changes(const Zone& before, std::span<const Zone> after, std::vector<RankBox>& boxes) const;
+
+  const RefinementTree& tree_;
+  ZoneLimits limits_;
+  std::vector<VectorStore> stores_;
+  std::vector<Zone> zones_;  ///< in the order of the tree
+  BoxTree supports_;
+  BoxTree reaches_;
+  ZoneScanner scanner_;
+};
+
+}  // namespace asts

@@ -1,0 +1,71 @@
+#include "properties/sequence_under_test.hpp"
+
+#include "lib/refine/admissibility.hpp"
+#include "properties/splines_needed.hpp"
+
+namespace asts {
+
+void SequenceUnderTest::after_step() {
+  const std::vector<std::int32_t>& subdivided = replay_.subdivided();
+  if (zones_in_use_) since_proven_.insert(since_proven_.end(), subdivided.begin(), subdivided.end());
+  if (admissible_) {
+    was_admissible_ = *admissible_;
+    since_admissible_.clear();
+  }
+  if (was_admissible_) since_admissible_.insert(since_admissible_.end(), subdivided.begin(), subdivided.end());
+  mesh_.reset();
+  proven_.reset();
+  admissible_.reset();
+}
+
+MeshUnderTest& SequenceUnderTest::mesh() {
+  if (!mesh_) mesh_.emplace(tree_);
+  return *mesh_;
+}
+
+const Proven& SequenceUnderTest::proven() {
+  if (!proven_) {
+    proven_ = zones_.decide(since_proven_, jobs_);
+    since_proven_.clear();
+    zones_in_use_ = true;
+  }
+  return *proven_;
+}
+
+bool SequenceUnderTest::admissible() {
+  if (!admissible_)
+    admissible_ = was_admissible_ ? stays_admissible(tree_, since_admissible_) : !find_inadmissible(tree_);
+  return *admissible_;
+}
+
+std::int64_t SequenceUnderTest::active_nodes() {
+  if (!mesh_) {
+    proven();
+    if (const auto count = zones_.active_nodes()) return *count;
+  }
+  return mesh().splines().size();
+}
+
+Verdict SequenceUnderTest::decide(const Property& property) {
+  if (property.decide == decide_admissible && admissible()) return Verdict::holds();
+  if (property.decide == decide_nested_patches) {
+    bool nested = true;
+    for (Axis axis = 0; axis < kDimension; ++axis) nested = nested && tree_.grid(axis).windows_nested();
+    if (nested) return Verdict::holds();
+  }
+  if (proves(property)) {
+    if (zones_.active_nodes() == 0) return without_active_nodes(active_region_is_empty(tree_));
+    return Verdict::holds();
+  }
+  return asts::decide(property, mesh());
+}
+
+/// Whether a property of splines is proven.
+bool SequenceUnderTest::proves(const Property& property) {
+  if (property.decide == decide_analysis_suitable) return proven().analysis_suitable;
+  if (property.decide == decide_dual_compatible) return proven().dual_compatible;
+  if (property.decide == decide_dual_basis) return proven().dual_basis;
+  return false;
+}
+
+}  // namespace asts
