@@ -126,6 +126,28 @@ TEST(SequenceUnderTest, ProvesExactlyWhatHoldsOfTheFindings) {
   EXPECT_GT(tally.outcomes["suitable but not compatible"], 0);
 }
 
+/// One step makes the violation, and subdivides elements far away on either side of it: neither may hide the other.
+TEST(SequenceUnderTest, FindsAViolationAmongChangesThatAreFarAway) {
+  const auto point = [](const char* x, const char* y, const char* z) {
+    return Point{CompactRational(Rational(x)), CompactRational(Rational(y)), CompactRational(Rational(z))};
+  };
+  Case content;
+  content.domain = {24, 4, 5};
+  for (const Rational at : {2, 10, 20}) {
+    content.steps.assign(2, {});
+    for (Step& step : content.steps) step.kind = Step::Kind::subdivide;
+    content.steps[0].marks = {point(at.str().c_str(), "1", "1")};
+    const Rational half = at + Rational(1, 2);
+    content.steps[1].marks = {point("0", "1", "1"), point(half.str().c_str(), "1", "1"), point("23", "1", "1")};
+    Tally tally;
+    for (const ZoneLimits limits : {ZoneLimits{4096, 64}, ZoneLimits{30, 64}, ZoneLimits{1, 64}}) {
+      compare_proofs(content, limits, tally);
+      compare(content, 1, limits, 1, tally);
+    }
+    EXPECT_EQ(tally.outcomes["dual-compatible violated"], 3);
+  }
+}
+
 /// Marks spread over a mesh of some thousand elements: most zones are not looked at again.
 TEST(SequenceUnderTest, FollowsALargerMesh) {
   for (const Workload workload : {Workload::sphere, Workload::corner, Workload::random}) {
