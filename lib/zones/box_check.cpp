@@ -21,15 +21,17 @@ void BoxCheck::number_vectors(const Zone& zone, const RankBox& box) {
 }
 
 /// The nodes whose supports touch a box.
-void BoxCheck::gather(const RankBox& box) {
+void BoxCheck::gather(const RankBox& box, bool changed_only) {
   check_.begin(box);
   for (Axis axis = 0; axis < kDimension; ++axis) numbers_[at(axis)].resize(at(zones_.stores()[at(axis)].size()), -1);
   zones_.supports().for_each_touching(box, [&](std::size_t place) {
     const Zone& zone = zones_.list()[place];
     number_vectors(zone, box);
-    for (const auto& node : zone.nodes) {
+    for (std::size_t i = 0; i < zone.nodes.size(); ++i) {
+      const PerAxis<std::uint16_t>& node = zone.nodes[i];
       const PerAxis<std::int32_t> numbers{of_zone_[0][node[0]], of_zone_[1][node[1]], of_zone_[2][node[2]]};
-      if (numbers[0] >= 0 && numbers[1] >= 0 && numbers[2] >= 0) check_.add_node(numbers);
+      if (numbers[0] < 0 || numbers[1] < 0 || numbers[2] < 0) continue;
+      check_.add_node(numbers, !changed_only || (!zone.changed.empty() && zone.changed[i]));
     }
   });
   for (Axis axis = 0; axis < kDimension; ++axis) {
@@ -38,15 +40,15 @@ void BoxCheck::gather(const RankBox& box) {
   }
 }
 
-Proven BoxCheck::decide(const RankBox& box) {
-  gather(box);
+Proven BoxCheck::decide(const RankBox& box, bool changed_only) {
+  gather(box, changed_only);
   const ZoneCheck::Cut cut = check_.number_lines();
   if (cut.axis < 0) return check_.decide();
   RankBox low = box;
   RankBox high = box;
   low[cut.axis].upper = high[cut.axis].lower = cut.rank;
-  Proven proven = decide(low);
-  proven &= decide(high);
+  Proven proven = decide(low, changed_only);
+  proven &= decide(high, changed_only);
   return proven;
 }
 

@@ -13,12 +13,13 @@ class BoxCheck {
   /// REQUIRES: the zones outlive it.
   explicit BoxCheck(const Zones& zones) : zones_(zones), check_(zones.tree(), zones.stores(), zones.limits()) {}
 
-  /// What is proven at the points of a box of ranks (ZoneCheck). Where too many lines run through it, it is cut in two.
-  /// Cost: linear in the nodes of the zones whose supports may touch the box, and that of ZoneCheck.
-  Proven decide(const RankBox& box);
+  /// What is proven at the points of a box of ranks (ZoneCheck), of all nodes or of the changed ones. Where too many
+  /// lines run through it, it is cut in two. Cost: linear in the nodes of the zones whose supports may touch the box,
+  /// and that of ZoneCheck.
+  Proven decide(const RankBox& box, bool changed_only);
 
  private:
-  void gather(const RankBox& box);
+  void gather(const RankBox& box, bool changed_only);
   void number_vectors(const Zone& zone, const RankBox& box);
 
   const Zones& zones_;

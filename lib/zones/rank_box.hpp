@@ -34,6 +34,13 @@ inline bool touch(const RankBox& one, const RankBox& other) {
                     [](const RankInterval& a, const RankInterval& b) { return touch(a, b); });
 }
 
+/// Whether a box lies in the interior of another one: then nothing outside the other touches it.
+inline bool inside(const RankBox& inner, const RankBox& outer) {
+  return std::equal(
+      inner.side.begin(), inner.side.end(), outer.side.begin(),
+      [](const RankInterval& a, const RankInterval& b) { return a.lower > b.lower && a.upper < b.upper; });
+}
+
 /// The least box that contains two.
 inline RankBox hull(RankBox one, const RankBox& other) {
   for (Axis axis = 0; axis < kDimension; ++axis) {

@@ -25,6 +25,7 @@ ZoneCheck::ZoneCheck(const RefinementTree& tree, const std::vector<VectorStore>&
 
 void ZoneCheck::begin(const RankBox& box) {
   nodes_.clear();
+  asked_.clear();
   for (Axis axis = 0; axis < kDimension; ++axis) axes_[at(axis)].begin(box[axis]);
 }
 
@@ -59,37 +60,48 @@ Proven ZoneCheck::decide() {
   return proven;
 }
 
-/// Groups the nodes by their vectors along an axis and the next one: counting sorts by one vector after the other.
+/// Groups the nodes by their vectors along an axis and the next one.
 void ZoneCheck::group_by(Axis axis) {
-  order_.resize(nodes_.size());
+  columns_.clear();
+  rows_.clear();
+  group_by(axis, nodes_, row_);
+  if (asked_.size() == nodes_.size()) {
+    asked_row_ = row_;
+  } else {
+    group_by(axis, asked_, asked_row_);
+  }
+}
+
+/// Counting sorts by one vector after the other.
+void ZoneCheck::group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& nodes,
+                         std::vector<std::int32_t>& row_of) {
+  order_.resize(nodes.size());
   std::iota(order_.begin(), order_.end(), 0);
   for (const Axis by : {next(next(axis)), next(axis), axis}) {
     begin_.assign(axes_[at(by)].size() + 1, 0);
-    for (const auto& node : nodes_) ++begin_[at(node[at(by)]) + 1];
+    for (const auto& node : nodes) ++begin_[at(node[at(by)]) + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    sorted_.resize(nodes_.size());
-    for (const std::int32_t node : order_) sorted_[begin_[at(nodes_[at(node)][at(by)])]++] = node;
+    sorted_.resize(nodes.size());
+    for (const std::int32_t node : order_) sorted_[begin_[at(nodes[at(node)][at(by)])]++] = node;
     order_.swap(sorted_);
   }
-  columns_.clear();
-  rows_.clear();
-  row_.assign(axes_[at(axis)].size(), -1);
+  row_of.assign(axes_[at(axis)].size(), -1);
   std::vector<std::int32_t> row;
   for (std::size_t i = 0; i < order_.size();) {
-    const std::int32_t first = nodes_[at(order_[i])][at(axis)];
+    const std::int32_t first = nodes[at(order_[i])][at(axis)];
     row.clear();
-    while (i < order_.size() && nodes_[at(order_[i])][at(axis)] == first) {
-      const std::int32_t second = nodes_[at(order_[i])][at(next(axis))];
+    while (i < order_.size() && nodes[at(order_[i])][at(axis)] == first) {
+      const std::int32_t second = nodes[at(order_[i])][at(next(axis))];
       const std::size_t begin = i;
-      for (; i < order_.size() && nodes_[at(order_[i])][at(axis)] == first &&
-             nodes_[at(order_[i])][at(next(axis))] == second;
-           ++i) {
-        sorted_[i] = nodes_[at(order_[i])][at(next(next(axis)))];
+      for (; i < order_.size(); ++i) {
+        const PerAxis<std::int32_t>& node = nodes[at(order_[i])];
+        if (node[at(axis)] != first || node[at(next(axis))] != second) break;
+        sorted_[i] = node[at(next(next(axis)))];
       }
       row.push_back(second);
       row.push_back(columns_.intern(std::span(sorted_).subspan(begin, i - begin)));
     }
-    row_[at(first)] = rows_.intern(row);
+    row_of[at(first)] = rows_.intern(row);
   }
 }
 
@@ -120,18 +132,18 @@ bool ZoneCheck::rows_compatible(Axis axis, std::int32_t one, std::int32_t other)
   return true;
 }
 
-/// Whether no two nodes with supports that meet in positive volume fail to overlap along this axis and the next one.
-/// Where vectors fail to overlap, the interiors of their ranges meet (AxisOverlap).
+/// Whether no two nodes, the one asked, with supports that meet in positive volume fail to overlap along this axis and
+/// the next one. Where vectors fail to overlap, the interiors of their ranges meet (AxisOverlap).
 bool ZoneCheck::compatible(Axis axis) {
   const ZoneAxis& first = axes_[at(axis)];
+  const bool all = asked_.size() == nodes_.size();
   known_rows_.clear();
   for (std::size_t x = 0; x < first.size(); ++x) {
-    if (row_[x] < 0 || !first.fails_anywhere(x)) continue;
-    for (std::size_t other = x + 1; other < first.size(); ++other) {
+    const std::int32_t one = asked_row_[x];
+    if (one < 0 || !first.fails_anywhere(x)) continue;
+    for (std::size_t other = all ? x + 1 : 0; other < first.size(); ++other) {
       if (row_[other] < 0 || !first.fails(x, other)) continue;
-      if (!known_rows_.get(row_[x], row_[other], [&] { return rows_compatible(axis, row_[x], row_[other]); })) {
-        return false;
-      }
+      if (!known_rows_.get(one, row_[other], [&] { return rows_compatible(axis, one, row_[other]); })) return false;
     }
   }
   return true;
@@ -159,11 +171,23 @@ bool ZoneCheck::dual_rows(std::int32_t one, std::int32_t other, bool same) {
       const bool same_line = same && first_row[i] == other_row[j];
       const std::int32_t column = first_row[i + 1];
       const std::int32_t other_column = other_row[j + 1];
-      const bool zero =
-          same_line
-              ? known_columns_.get(column, columns_.size(), [&] { return dual_columns(column, column, true); })
-              : known_columns_.get(column, other_column, [&] { return dual_columns(column, other_column, false); });
-      if (!zero) return false;
+      PairTable<bool>& known = same_line ? known_same_columns_ : known_columns_;
+      if (!known.get(column, other_column, [&] { return dual_columns(column, other_column, same_line); })) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether lambda_v(B_w) = delta_vw for all v of some rows and w of others.
+bool ZoneCheck::dual_pairs(const std::vector<std::int32_t>& row_of_v, const std::vector<std::int32_t>& row_of_w) {
+  for (std::size_t x = 0; x < row_of_v.size(); ++x) {
+    const std::int32_t one = row_of_v[x];
+    if (one < 0) continue;
+    for (std::size_t other = 0; other < row_of_w.size(); ++other) {
+      const std::int32_t two = row_of_w[other];
+      if (two < 0 || !axes_[0].nonzero((*stores_)[0], x, other)) continue;
+      PairTable<bool>& known = x == other ? known_same_rows_ : known_rows_;
+      if (!known.get(one, two, [&] { return dual_rows(one, two, x == other); })) return false;
     }
   }
   return true;
@@ -175,20 +199,9 @@ bool ZoneCheck::dual_basis() {
       if (!axes_[a].is_one((*stores_)[a], i)) return false;  // then products would have to be looked at
     }
   }
-  known_rows_.clear();
-  known_columns_.clear();
-  for (std::size_t x = 0; x < axes_[0].size(); ++x) {
-    if (row_[x] < 0) continue;
-    for (std::size_t other = 0; other < axes_[0].size(); ++other) {
-      if (row_[other] < 0 || !axes_[0].nonzero((*stores_)[0], x, other)) continue;
-      const std::int32_t one = row_[x];
-      const std::int32_t two = row_[other];
-      const bool zero = x == other ? known_rows_.get(one, rows_.size(), [&] { return dual_rows(one, one, true); })
-                                   : known_rows_.get(one, two, [&] { return dual_rows(one, two, false); });
-      if (!zero) return false;
-    }
-  }
-  return true;
+  for (auto* known : {&known_rows_, &known_columns_, &known_same_rows_, &known_same_columns_}) known->clear();
+  if (!dual_pairs(asked_row_, row_)) return false;
+  return asked_.size() == nodes_.size() || dual_pairs(row_, asked_row_);
 }
 
 /// R_a (Definition 5.1) at the points of the box on lines of all axes.

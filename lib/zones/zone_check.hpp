@@ -41,7 +41,8 @@ struct Proven {
 ///   four conditions, a union of closed intervals whose ends are entries of vectors, ends of Z, or of the active
 ///   region: all of them lines. A common point of four closed intervals with ends on lines is on a line if it is their
 ///   greatest lower end. So only points with three coordinates on lines are asked.
-/// A violation found is one in each case; but the boxes do not tell which pair the paper's order has first.
+/// When only some of the nodes are asked, the first two are about pairs of which one at least is: the others hold
+/// already. A violation found is one in each case; but the boxes do not tell which pair the paper's order has first.
 ///
 /// Where the mesh around Z is uniform, nothing is compared: if every line is an entry of all vectors whose range
 /// contains it, along two axes, no pair fails to overlap along them, and one region at most is not empty. And all three
@@ -61,8 +62,11 @@ class ZoneCheck {
 
   /// Starts a box with no nodes.
   void begin(const RankBox& box);
-  /// A node by the numbers of its vectors (ZoneAxis::add).
-  void add_node(const PerAxis<std::int32_t>& vectors) { nodes_.push_back(vectors); }
+  /// A node by the numbers of its vectors (ZoneAxis::add), and whether pairs with it are asked.
+  void add_node(const PerAxis<std::int32_t>& vectors, bool asked) {
+    nodes_.push_back(vectors);
+    if (asked) asked_.push_back(vectors);
+  }
 
   /// Where the box has to be cut because too many lines run through it.
   struct Cut {
@@ -75,10 +79,12 @@ class ZoneCheck {
 
  private:
   void group_by(Axis axis);
+  void group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& nodes, std::vector<std::int32_t>& row_of);
   bool interiors_meet(std::int32_t one, std::int32_t other, const ZoneAxis& along) const;
   bool compatible(Axis axis);
   bool rows_compatible(Axis axis, std::int32_t one, std::int32_t other) const;
   bool dual_basis();
+  bool dual_pairs(const std::vector<std::int32_t>& row_of_v, const std::vector<std::int32_t>& row_of_w);
   bool dual_rows(std::int32_t one, std::int32_t other, bool same);
   bool dual_columns(std::int32_t one, std::int32_t other, bool same);
   void paint(Axis axis);
@@ -89,15 +95,19 @@ class ZoneCheck {
   const std::vector<VectorStore>* stores_;
   std::vector<ZoneAxis> axes_;
   std::vector<PerAxis<std::int32_t>> nodes_;
+  std::vector<PerAxis<std::int32_t>> asked_;  ///< of these
   PerAxis<bool> irregular_;
   std::vector<std::int32_t> order_;
   std::vector<std::int32_t> sorted_;
   std::vector<std::size_t> begin_;
   ListTable columns_;              ///< nodes with the same vectors along two axes: their vectors along the third one
   ListTable rows_;                 ///< nodes with the same vector along one axis: pairs of vector and column
-  std::vector<std::int32_t> row_;  ///< of each vector along the first axis
+  std::vector<std::int32_t> row_;  ///< of each vector along the first axis, -1 where it has none
+  std::vector<std::int32_t> asked_row_;  ///< the same of the asked nodes alone
   PairTable<bool> known_rows_;
   PairTable<bool> known_columns_;
+  PairTable<bool> known_same_rows_;  ///< of nodes with the same vector along the first axis
+  PairTable<bool> known_same_columns_;
   PerAxis<std::vector<std::uint64_t>> regions_;  ///< R_a: for lines of a and the next axis, bits for those of the last
   std::vector<std::uint64_t> having_;
   std::vector<std::uint64_t> lacking_;

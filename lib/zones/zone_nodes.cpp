@@ -36,18 +36,24 @@ void ZoneScanner::WordTable::clear() {
   slots.assign(256, -1);
 }
 
-/// Appends the leaves that touch a box.
+/// Appends the leaves that touch a box, searching below the lowest node above the zone that has the box inside.
 void ZoneScanner::gather(const RankBox& box, std::vector<RankBox>& leaves) {
-  pending_.assign(1, 0);
+  std::int32_t top = zone_;
+  while (tree_->node(top).parent != RefinementTree::kNone && !inside(box, box_of(*tree_, top))) {
+    top = tree_->node(top).parent;
+  }
+  pending_.assign(1, top);
   while (!pending_.empty()) {
     const std::int32_t id = pending_.back();
     pending_.pop_back();
-    const RankBox own = box_of(*tree_, id);
-    if (!touch(own, box)) continue;
     if (tree_->is_leaf(id)) {
-      leaves.push_back(own);
-    } else {
-      tree_->push_children(id, pending_);
+      leaves.push_back(box_of(*tree_, id));
+      continue;
+    }
+    const Axis axis = tree_->split_axis(id);  // children differ along this axis only
+    const std::int32_t first = tree_->node(id).first_child;
+    for (std::int32_t child = first + tree_->child_count(id) - 1; child >= first; --child) {
+      if (touch(tree_->extent(child, axis), box[axis])) pending_.push_back(child);
     }
   }
 }
@@ -157,21 +163,23 @@ std::uint64_t ZoneScanner::vector_around(std::uint64_t entries, std::int32_t num
   std::uint64_t vector = own;
   std::uint64_t above = entries & ~(own | (own - 1));
   std::uint64_t below = entries & (own - 1);
-  ensure((entries & own) != 0 && std::popcount(above) >= reach && std::popcount(below) >= reach,
-         "an index vector lies in the window of its zone");
+  bool complete = (entries & own) != 0;
   for (int i = 0; i < reach; ++i) {
+    complete = complete && above != 0 && below != 0;
     vector |= above & (~above + 1);
     above &= above - 1;
     const std::uint64_t highest = std::bit_floor(below);
     vector |= highest;
     below ^= highest;
   }
+  ensure(complete, "an index vector lies in the window of its zone");
   return vector;
 }
 
 void ZoneScanner::collect(ZoneNodes& result) {
   const PerAxis<int>& degree = tree_->setting().degree;
   const auto number = [&](Axis axis, std::size_t where, std::int32_t own) {
+    if (!asked_[at(axis)]) return std::uint16_t{0};
     const std::uint64_t word = vector_around(entries_[at(axis)][where], own, (degree[at(axis)] + 1) / 2);
     return static_cast<std::uint16_t>(known_[at(axis)].number_of(word));
   };
@@ -195,7 +203,22 @@ void ZoneScanner::collect(ZoneNodes& result) {
   }
 }
 
-bool ZoneScanner::scan(std::int32_t zone, ZoneNodes& result) {
+/// Finds the window of an axis, and the elements in its part outside the zone.
+void ZoneScanner::open_window(Axis axis) {
+  std::vector<RankBox>& slab = slabs_[at(axis)];
+  slab.clear();
+  window_[at(axis)] = own_[axis];
+  if (!asked_[at(axis)]) return;
+  window_[at(axis)] = {extend(axis, -1), extend(axis, +1)};
+  slab.clear();
+  RankBox part = own_;
+  part[axis] = {window_[at(axis)].lower, own_[axis].lower};
+  gather(part, slab);
+  part[axis] = {own_[axis].upper, window_[at(axis)].upper};
+  gather(part, slab);
+}
+
+bool ZoneScanner::scan(std::int32_t zone, ZoneNodes& result, const PerAxis<bool>& axes) {
   result = {};
   for (Axis axis = 0; axis < kDimension; ++axis) {
     const RankInterval side = tree_->extent(zone, axis);
@@ -204,28 +227,24 @@ bool ZoneScanner::scan(std::int32_t zone, ZoneNodes& result) {
     if (own_[axis].lower > own_[axis].upper) return true;
   }
   result.empty = false;
+  zone_ = zone;
+  asked_ = axes;
   core_.clear();
   gather(own_, core_);
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    window_[at(axis)] = {extend(axis, -1), extend(axis, +1)};
-    std::vector<RankBox>& slab = slabs_[at(axis)];
-    slab.clear();
-    RankBox part = own_;
-    part[axis] = {window_[at(axis)].lower, own_[axis].lower};
-    gather(part, slab);
-    part[axis] = {own_[axis].upper, window_[at(axis)].upper};
-    gather(part, slab);
+    open_window(axis);
     if (!number_lines(axis)) return false;
     const AxisGrid& grid = tree_->grid(axis);
     result.window[at(axis)] = {grid.line_of_rank(window_[at(axis)].lower), grid.line_of_rank(window_[at(axis)].upper)};
     known_[at(axis)].clear();
   }
   for (Axis axis = 0; axis < kDimension; ++axis) {
+    if (!asked_[at(axis)]) continue;
     entries_[at(axis)].assign(lines_[at(next(axis))].own() * lines_[at(next(next(axis)))].own(), 0);
     add_entries(axis, core_);
     add_entries(axis, slabs_[at(axis)]);
   }
-  vertices_.assign(entries_[0].size(), 0);
+  vertices_.assign(lines_[1].own() * lines_[2].own(), 0);
   add_vertices();
   collect(result);
   return true;

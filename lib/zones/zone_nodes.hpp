@@ -40,8 +40,9 @@ class ZoneScanner {
   explicit ZoneScanner(const RefinementTree& tree, std::size_t most_lines = 64)
       : tree_(&tree), most_lines_(most_lines) {}
 
-  /// The nodes of a zone; false when its window has more lines than fit into a word.
-  bool scan(std::int32_t zone, ZoneNodes& result);
+  /// The nodes of a zone, in the lexicographic order of (y,z,x), with their vectors along some of the axes, or all; the
+  /// windows of the others are the zone. False when a window has more lines than fit into a word.
+  bool scan(std::int32_t zone, ZoneNodes& result, const PerAxis<bool>& axes = {true, true, true});
 
  private:
   /// The lines in use along an axis, numbered in their order.
@@ -66,6 +67,7 @@ class ZoneScanner {
 
   void gather(const RankBox& box, std::vector<RankBox>& leaves);
   std::int32_t extend(Axis axis, int direction);
+  void open_window(Axis axis);
   bool number_lines(Axis axis);
   void mark_ends(Axis axis, const std::vector<RankBox>& leaves);
   void add_entries(Axis axis, const std::vector<RankBox>& leaves);
@@ -78,6 +80,8 @@ class ZoneScanner {
 
   const RefinementTree* tree_;
   std::size_t most_lines_;
+  std::int32_t zone_ = 0;
+  PerAxis<bool> asked_{};
   RankBox own_;  ///< closed; the nodes of the zone lie in it
   PerAxis<RankInterval> window_;
   std::vector<RankBox> core_;            ///< elements that touch own_

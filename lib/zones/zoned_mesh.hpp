@@ -32,7 +32,7 @@ class ZonedMesh {
   std::optional<std::int64_t> active_nodes() const;
 
  private:
-  Proven check(const std::vector<RankBox>& boxes, int jobs);
+  Proven check(const std::vector<RankBox>& boxes, bool changed_only, int jobs);
 
   Zones zones_;
   std::vector<BoxCheck> checks_;  ///< one a thread

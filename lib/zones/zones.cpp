@@ -1,8 +1,8 @@
 #include "lib/zones/zones.hpp"
 
 #include <algorithm>
-#include <set>
 
+#include "lib/exact/errors.hpp"
 #include "lib/threads/parallel_for.hpp"
 
 namespace asts {
@@ -54,15 +54,20 @@ Zones::Zones(const RefinementTree& tree, const ZoneLimits& limits)
       reaches_(tree),
       scanner_(tree, limits.lines) {}
 
-Zone Zones::zone_of(std::int32_t tree_node, const ZoneNodes& found) {
-  Zone zone{tree_node, true, found.empty, {}, found.nodes, found.window};
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    const std::span<const std::int32_t> lines(found.vectors[at(axis)]);
-    const std::size_t length = at(tree_.setting().degree[at(axis)]) + 2;
-    for (std::size_t i = 0; i < lines.size(); i += length) {
-      zone.vectors[at(axis)].push_back(stores_[at(axis)].intern(tree_.grid(axis), lines.subspan(i, length)));
-    }
+/// Identifiers of the vectors along an axis that were found in a zone.
+std::vector<std::int32_t> Zones::intern(Axis axis, const ZoneNodes& found) {
+  std::vector<std::int32_t> ids;
+  const std::span<const std::int32_t> lines(found.vectors[at(axis)]);
+  const std::size_t length = at(tree_.setting().degree[at(axis)]) + 2;
+  for (std::size_t i = 0; i < lines.size(); i += length) {
+    ids.push_back(stores_[at(axis)].intern(tree_.grid(axis), lines.subspan(i, length)));
   }
+  return ids;
+}
+
+Zone Zones::zone_of(std::int32_t tree_node, const ZoneNodes& found) {
+  Zone zone{tree_node, true, found.empty, {}, found.nodes, found.window, {}};
+  for (Axis axis = 0; axis < kDimension; ++axis) zone.vectors[at(axis)] = intern(axis, found);
   return zone;
 }
 
@@ -152,79 +157,122 @@ std::int64_t Zones::active_nodes() const {
   return count;
 }
 
-/// Whether subdividing an element may change the nodes of a zone or their vectors.
-bool Zones::depends_on(const Zone& zone, std::int32_t element) const {
-  RankBox box = box_of(tree_, zone.tree_node);
-  const Axis split = tree_.split_axis(element);
-  const AxisGrid& grid = tree_.grid(split);
-  const RankInterval& window = zone.window[at(split)];
-  box[split].lower = std::min(box[split].lower, grid.rank_of_line(window.lower));
-  box[split].upper = std::max(box[split].upper, grid.rank_of_line(window.upper));
-  return touch(box, box_of(tree_, element));
-}
-
-std::vector<std::size_t> Zones::affected(std::span<const std::int32_t> subdivided) const {
-  std::set<std::size_t> places;
+std::map<std::size_t, Zones::Effect> Zones::effects(std::span<const std::int32_t> subdivided) const {
+  std::map<std::size_t, Effect> result;
   for (const std::int32_t element : subdivided) {
-    reaches_.for_each_touching(box_of(tree_, element), [&](std::size_t place) {
-      if (depends_on(zones_[place], element)) places.insert(place);
+    const RankBox box = box_of(tree_, element);
+    const Axis split = tree_.split_axis(element);
+    const AxisGrid& grid = tree_.grid(split);
+    reaches_.for_each_touching(box, [&](std::size_t place) {
+      const Zone& zone = zones_[place];
+      RankBox reached = box_of(tree_, zone.tree_node);
+      const bool nodes = touch(reached, box);
+      const RankInterval& window = zone.window[at(split)];
+      reached[split] = {std::min(reached[split].lower, grid.rank_of_line(window.lower)),
+                        std::max(reached[split].upper, grid.rank_of_line(window.upper))};
+      if (!touch(reached, box)) return;
+      Effect& effect = result[place];
+      effect.vectors[at(split)] = true;
+      effect.nodes = effect.nodes || nodes;
     });
   }
-  return {places.begin(), places.end()};
+  return result;
 }
 
-/// Appends the hull of the supports of the nodes that a zone did not have before, if there are any.
-void Zones::append_changes(const Zone& before, std::span<const Zone> after, std::vector<RankBox>& boxes) const {
+/// Finds the vectors of a zone's nodes along some axes again, where the nodes are what they were. False when its window
+/// has too many lines now.
+bool Zones::change_vectors(Zone& zone, const PerAxis<bool>& axes) {
+  ZoneNodes found;
+  if (!scanner_.scan(zone.tree_node, found, axes)) return false;
+  ensure(found.nodes.size() == zone.nodes.size(), "a zone that no subdivided element touches has no new nodes");
+  zone.changed.assign(zone.nodes.size(), false);
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto a = at(axis);
+    if (!axes[a]) continue;
+    const std::vector<std::int32_t> ids = intern(axis, found);
+    for (std::size_t i = 0; i < zone.nodes.size(); ++i) {
+      if (zone.vectors[a][zone.nodes[i][a]] != ids[found.nodes[i][a]]) zone.changed[i] = true;
+      zone.nodes[i][a] = found.nodes[i][a];
+    }
+    zone.vectors[a] = ids;
+    zone.window[a] = found.window[a];
+  }
+  return true;
+}
+
+/// The zones that come of one, with the nodes marked that it did not have with these vectors.
+std::vector<Zone> Zones::scan_again(const Zone& before) {
   std::vector<VectorIds> known;
   for (const auto& node : before.nodes) known.push_back(ids_of(before, node));
   std::sort(known.begin(), known.end());
-  std::optional<RankBox> changed;
-  for (const Zone& zone : after) {
+  std::vector<Zone> zones;
+  scan(before.tree_node, zones);
+  for (Zone& zone : zones) {
     for (const auto& node : zone.nodes) {
-      const VectorIds ids = ids_of(zone, node);
-      if (std::binary_search(known.begin(), known.end(), ids)) continue;
-      RankBox support;
-      for (Axis axis = 0; axis < kDimension; ++axis) {
-        const auto lines = stores_[at(axis)][ids[at(axis)]];
-        support[axis] = {tree_.grid(axis).rank_of_line(lines.front()), tree_.grid(axis).rank_of_line(lines.back())};
-      }
-      changed = changed ? hull(*changed, support) : support;
+      zone.changed.push_back(!std::binary_search(known.begin(), known.end(), ids_of(zone, node)));
     }
   }
-  if (changed) boxes.push_back(*changed);
+  return zones;
 }
 
-std::vector<RankBox> Zones::update(std::span<const std::int32_t> subdivided) {
-  std::vector<RankBox> boxes;
-  std::vector<std::pair<std::size_t, std::vector<Zone>>> replaced;
-  bool same_count = true;
-  for (const std::size_t place : affected(subdivided)) {
-    std::vector<Zone> after;
-    scan(zones_[place].tree_node, after);
-    append_changes(zones_[place], after, boxes);
-    same_count = same_count && after.size() == 1;
-    replaced.emplace_back(place, std::move(after));
+RankBox Zones::support(const Zone& zone, const PerAxis<std::uint16_t>& node) const {
+  RankBox box;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto lines = stores_[at(axis)][zone.vectors[at(axis)][node[at(axis)]]];
+    box[axis] = {tree_.grid(axis).rank_of_line(lines.front()), tree_.grid(axis).rank_of_line(lines.back())};
   }
-  if (same_count) {
-    for (auto& [place, after] : replaced) {
-      zones_[place] = std::move(after.front());
-      supports_.replace(place, support_hull(zones_[place]));
-      reaches_.replace(place, reach(zones_[place]));
-    }
-    return boxes;
+  return box;
+}
+
+/// The hull of the supports of a zone's changed nodes.
+std::optional<RankBox> Zones::changed_box(const Zone& zone) const {
+  std::optional<RankBox> box;
+  for (std::size_t i = 0; i < zone.changed.size(); ++i) {
+    if (!zone.changed[i]) continue;
+    box = box ? hull(*box, support(zone, zone.nodes[i])) : support(zone, zone.nodes[i]);
   }
+  return box;
+}
+
+/// Puts zones in the places of others.
+void Zones::replace(std::map<std::size_t, std::vector<Zone>>& replaced) {
   std::vector<Zone> zones;
-  auto next = replaced.begin();
   for (std::size_t place = 0; place < zones_.size(); ++place) {
-    if (next == replaced.end() || next->first != place) {
+    const auto found = replaced.find(place);
+    if (found == replaced.end()) {
       zones.push_back(std::move(zones_[place]));
-      continue;
+    } else {
+      std::move(found->second.begin(), found->second.end(), std::back_inserter(zones));
     }
-    std::move(next->second.begin(), next->second.end(), std::back_inserter(zones));
-    ++next;
   }
   zones_ = std::move(zones);
   index_all();
+}
+
+std::vector<RankBox> Zones::update(std::span<const std::int32_t> subdivided) {
+  for (const std::size_t place : changed_) zones_[place].changed.clear();
+  changed_.clear();
+  std::map<std::size_t, std::vector<Zone>> replaced;  // by several
+  for (const auto& [place, effect] : effects(subdivided)) {
+    Zone& zone = zones_[place];
+    if (effect.nodes || !zone.known || !change_vectors(zone, effect.vectors)) {
+      std::vector<Zone> again = scan_again(zone);
+      if (again.size() > 1) {
+        replaced[place] = std::move(again);
+        continue;
+      }
+      zone = std::move(again.front());
+    }
+    supports_.replace(place, support_hull(zone));
+    reaches_.replace(place, reach(zone));
+  }
+  if (!replaced.empty()) replace(replaced);
+  std::vector<RankBox> boxes;
+  for (std::size_t place = 0; place < zones_.size(); ++place) {
+    if (zones_[place].changed.empty()) continue;
+    changed_.push_back(place);
+    if (const auto box = changed_box(zones_[place])) boxes.push_back(*box);
+  }
   return boxes;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct Zone {
   PerAxis<std::vector<std::int32_t>> vectors;  ///< distinct index vectors, identifiers in Zones::stores
   std::vector<PerAxis<std::uint16_t>> nodes;   ///< for each active node the places of its vectors in these
   PerAxis<RankInterval> window;                ///< the lines, not ranks, between which the vectors are decided
+  std::vector<bool> changed;  ///< for each node whether the last update made or changed it; empty: none
 };
 
 /// The active nodes and index vectors of the mesh of a growing refinement tree, zone by zone.
@@ -37,7 +40,7 @@ class Zones {
   void rebuild(int jobs);
 
   /// After a step that subdivided these nodes of the tree: boxes (of ranks) that contain the supports of all nodes that
-  /// are new or have a new index vector. Cost: that of the zones that have any.
+  /// are new or have a new index vector; these are marked as changed. Cost: that of the zones that may have any.
   std::vector<RankBox> update(std::span<const std::int32_t> subdivided);
 
   const ZoneLimits& limits() const { return limits_; }
@@ -51,14 +54,24 @@ class Zones {
   std::int64_t active_nodes() const;
 
  private:
+  /// What may have changed in a zone: its vectors along some axes, and perhaps its nodes.
+  struct Effect {
+    PerAxis<bool> vectors{};
+    bool nodes = false;
+  };
+
   Zone zone_of(std::int32_t tree_node, const ZoneNodes& found);
+  std::vector<std::int32_t> intern(Axis axis, const ZoneNodes& found);
   void scan(std::int32_t tree_node, std::vector<Zone>& zones);
   RankBox support_hull(const Zone& zone) const;
+  RankBox support(const Zone& zone, const PerAxis<std::uint16_t>& node) const;
   RankBox reach(const Zone& zone) const;
   void index_all();
-  std::vector<std::size_t> affected(std::span<const std::int32_t> subdivided) const;
-  bool depends_on(const Zone& zone, std::int32_t element) const;
-  void append_changes(const Zone& before, std::span<const Zone> after, std::vector<RankBox>& boxes) const;
+  std::map<std::size_t, Effect> effects(std::span<const std::int32_t> subdivided) const;
+  bool change_vectors(Zone& zone, const PerAxis<bool>& axes);
+  std::vector<Zone> scan_again(const Zone& before);
+  void replace(std::map<std::size_t, std::vector<Zone>>& replaced);
+  std::optional<RankBox> changed_box(const Zone& zone) const;
 
   const RefinementTree& tree_;
   ZoneLimits limits_;
@@ -67,6 +80,7 @@ class Zones {
   BoxTree supports_;
   BoxTree reaches_;
   ZoneScanner scanner_;
+  std::vector<std::size_t> changed_;  ///< the zones with changed nodes
 };
 
 }  // namespace asts
