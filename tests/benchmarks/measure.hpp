@@ -63,12 +63,16 @@ void add(const Input& input, const std::string& stage, Begin begin, Make make) {
   })->Unit(benchmark::kMillisecond);
 }
 
+void measure_refine(benchmark::State& state, const Input& input);  ///< the case to the tree
+void measure_replay(benchmark::State& state, const Input& input);  ///< the case's text to the tree
+
 void add_refinement_benchmarks(const Input& input);  ///< from a case's text to the tree
 void add_spline_benchmarks(const Input& input);      ///< from the tree to the verdicts
 void add_lambda_benchmarks(const Input& input);      ///< lambda for the index vectors of the mesh
 void add_sequence_benchmarks();                      ///< a check after each step
 void add_search_benchmarks();                        ///< enumeration, campaign, minimization
 void add_reference_benchmarks();                     ///< the literal code beside the library
-void add_p8est_benchmarks();                         ///< p8est's refine and balance; nothing where it is not installed
+/// p8est's refine and balance, and ours once more so that one run has both; nothing where p8est is not installed.
+void add_p8est_benchmarks();
 
 }  // namespace asts::benchmarks

@@ -6,6 +6,7 @@
 #include <p8est_extended.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 /// p8est's refinement and 2:1 balance on the workload `sphere`: the same sphere, from the same 16^3 cubes on, which are
 /// the octants of level 4 of a unit cube. An octant is split into eight if its closed box meets the sphere, down to the
@@ -120,10 +121,14 @@ void measure_forest(benchmark::State& state, std::int64_t elements, bool balance
 void add_p8est_benchmarks() {
   for (const std::int64_t elements : {10'000, 100'000, 1'000'000}) {
     const std::string name = "p8est/sphere/" + std::to_string(elements);
-    benchmark::RegisterBenchmark((name + "/refine+balance").c_str(), measure_forest, elements, true)
-        ->Unit(benchmark::kMillisecond);
-    benchmark::RegisterBenchmark((name + "/refine").c_str(), measure_forest, elements, false)
-        ->Unit(benchmark::kMillisecond);
+    const auto add_run = [&](const char* stage, auto run, auto... arguments) {
+      benchmark::RegisterBenchmark((name + stage).c_str(), run, arguments...)->Unit(benchmark::kMillisecond);
+    };
+    add_run("/refine", measure_forest, elements, false);
+    add_run("/refine+balance", measure_forest, elements, true);
+    const Input input{Workload::sphere, 3, 2, elements};
+    add_run("/asts-refine", measure_refine, input);
+    add_run("/asts-replay", measure_replay, input);
   }
 }
 

@@ -9,8 +9,6 @@ namespace asts::benchmarks {
 
 namespace {
 
-Prepared* shared(Prepared& prepared) { return &prepared; }
-
 /// A case as `asts refine` comes by its last mesh.
 struct ReadAndReplayed {
   explicit ReadAndReplayed(const std::string& text) : content(parse_case(text, "text")), replay(replayed(content)) {}
@@ -69,19 +67,31 @@ void measure_closure(benchmark::State& state, const Input& input) {
 
 }  // namespace
 
+void measure_refine(benchmark::State& state, const Input& input) {
+  Prepared& shared = prepared(input);
+  measure(
+      state, shared.elements(), [&] { return &shared.content(); },
+      [](const Case* content) { return replayed(*content); });
+}
+
+void measure_replay(benchmark::State& state, const Input& input) {
+  Prepared& shared = prepared(input);
+  measure(
+      state, shared.elements(), [&] { return &shared.text(); },
+      [](const std::string* text) { return std::make_unique<ReadAndReplayed>(*text); });
+}
+
 void add_refinement_benchmarks(const Input& input) {
   add(
       input, "read", [](Prepared& prepared) { return &prepared.text(); },
       [](const std::string* text) { return parse_case(*text, "text"); });
-  add(input, "refine", shared, [](Prepared* prepared) { return replayed(prepared->content()); });
-  add(
-      input, "replay", [](Prepared& prepared) { return &prepared.text(); },
-      [](const std::string* text) { return std::make_unique<ReadAndReplayed>(*text); });
-  const auto add_query = [&](const char* stage, void (*run)(benchmark::State&, const Input&)) {
+  const auto add_measured = [&](const char* stage, void (*run)(benchmark::State&, const Input&)) {
     benchmark::RegisterBenchmark((input.name() + "/" + stage).c_str(), run, input)->Unit(benchmark::kMillisecond);
   };
-  add_query("closure", measure_closure);
-  add_query("patches", measure_patches);
+  add_measured("refine", measure_refine);
+  add_measured("replay", measure_replay);
+  add_measured("closure", measure_closure);
+  add_measured("patches", measure_patches);
 }
 
 }  // namespace asts::benchmarks

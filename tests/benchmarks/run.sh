@@ -23,7 +23,8 @@ programs=$build/tests/benchmarks
 asts=$build/asts
 repetitions=5 steps=200
 stages='/(read|refine|replay|closure|patches|mesh|nodes|bricks|admissible|nested-patches|analysis-suitable|dual-compatible|dual-basis|check|lambda-cold|lambda-warm)$'
-matrix="^(sphere|corner|random)/.*$stages"
+growth="^(sphere|corner|random)/p3/m2/(100000|1000000)$stages"
+matrix="^(sphere|corner|random)/(p3/m2/10000|p3/m3/.*|p5/.*)$stages"
 if [[ $quick == yes ]]; then
   repetitions=1
   matrix="^(sphere|random)/p3/m2/(10000|100000)$stages"
@@ -52,18 +53,17 @@ takes() { "$asts" "$1" --help | grep -q -- "$2"; }
 
 # On the same input, in turn, so that what the machine does otherwise hits them alike.
 measure_beside_p8est() {
-  benchmarks promises '^(sphere/p3/m2/1000000/(refine|replay)|p8est/sphere/1000000/refine.balance)$' \
+  benchmarks beside '^p8est/sphere/1000000/' \
     --benchmark_repetitions=$repetitions --benchmark_enable_random_interleaving=true
 }
 
 measure_stages() {
-  benchmarks growth "^(sphere|corner|random)/p3/m2/(100000|1000000)$stages" --benchmark_repetitions=$repetitions \
-    --benchmark_min_time=0.05
+  benchmarks growth "$growth" --benchmark_repetitions=$repetitions --benchmark_min_time=0.05
 }
 
 measure_rest() {
   benchmarks matrix "$matrix" --benchmark_min_time=0.05
-  benchmarks others '/steps-|^(enumerate|campaign|minimize|reference|p8est)/' --benchmark_min_time=0.1
+  benchmarks others '/steps-|^(enumerate|campaign|minimize|reference)/|^p8est/sphere/10{4,5}/' --benchmark_min_time=0.1
 }
 
 # whole_case NAME SPHERE: `refine` and `check --final` of a case, by themselves and with two jobs where that is there.
@@ -77,7 +77,7 @@ whole_case() {
 # The difference of both is what the added steps cost.
 sequence() {
   "$programs/print_steps" sphere 100000 $steps >"$measured/steps.case"
-  processes sequence 1 "check, 10^5" "$asts" check "$measured/sphere-5.case" \
+  processes sequence $repetitions "check, 10^5" "$asts" check "$measured/sphere-5.case" \
     -- "check, 10^5, $steps steps more" "$asts" check "$measured/steps.case"
 }
 
@@ -99,7 +99,7 @@ machine() {
 tables() {
   machine
   echo
-  local files=("$measured"/promises.json)
+  local files=("$measured"/beside.json)
   [[ -f $measured/growth.json ]] && files+=("$measured"/growth.json)
   "$programs/write_tables" "${files[@]}" "$measured"/matrix.json "$measured"/others.json "$measured"/*.jsonl
 }
