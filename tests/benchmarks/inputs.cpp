@@ -47,9 +47,9 @@ const std::string& Prepared::text() {
   return text_;
 }
 
-const RefinementTree& Prepared::tree() {
+const Replay& Prepared::replay() {
   if (!replay_) replay_ = replayed(content_);
-  return replay_->tree();
+  return *replay_;
 }
 
 const RefinementTree& Prepared::tree_before() {

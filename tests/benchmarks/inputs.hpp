@@ -33,8 +33,9 @@ class Prepared {
   explicit Prepared(const Input& input);
 
   const Case& content() const { return content_; }
-  const std::string& text();            ///< of the case
-  const RefinementTree& tree();         ///< after all steps
+  const std::string& text();  ///< of the case
+  const Replay& replay();     ///< after all steps
+  const RefinementTree& tree() { return replay().tree(); }
   const RefinementTree& tree_before();  ///< before the last step
   MeshUnderTest& mesh();
   std::int64_t elements() { return tree().element_count(); }

@@ -22,7 +22,8 @@ measured=$build/measured
 programs=$build/tests/benchmarks
 asts=$build/asts
 repetitions=5 steps=200
-stages='/(read|refine|replay|closure|patches|mesh|nodes|bricks|admissible|nested-patches|analysis-suitable|dual-compatible|dual-basis|check|lambda-cold|lambda-warm)$'
+properties='admissible|nested-patches|analysis-suitable|dual-compatible|dual-basis|check'
+stages="/(read|refine|replay|closure|patches|zones|(plain-)?($properties)|mesh|nodes|bricks|lambda-cold|lambda-warm)\$"
 growth="^(sphere|corner|random)/p3/m2/(100000|1000000)$stages"
 matrix="^(sphere|corner|random)/(p3/m2/10000|p3/m3/.*|p5/.*)$stages"
 if [[ $quick == yes ]]; then

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "properties/properties.hpp"
+#include "properties/sequence_under_test.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 /// A check after each of 200 steps that mark one element each, from 10^5 elements on.
@@ -19,26 +19,38 @@ std::unique_ptr<Replay> replay_before_marks(const Case& content) {
   return replay;
 }
 
-/// Calls visit(replay) after each of the first `steps` single marks. Counter: steps a second.
+/// Calls visit(sequence) after each of the first `steps` single marks. Counter: steps a second.
 template <typename Visit>
 void measure_steps(benchmark::State& state, const Input& input, int steps, Visit visit) {
   const Case content = with_single_marks(input, kSteps);
   for (auto _ : state) {
     state.PauseTiming();
     const auto replay = replay_before_marks(content);
+    SequenceUnderTest sequence(*replay);
+    visit(*replay, sequence);
     state.ResumeTiming();
     for (int step = 0; step < steps; ++step) {
       replay->advance();
-      visit(*replay);
+      sequence.after_step();
+      visit(*replay, sequence);
     }
   }
   state.counters["steps"] = steps;
   state.counters["steps/s"] = rate(steps);
 }
 
-void check_from_scratch(const Replay& replay) {
-  MeshUnderTest mesh(replay.tree());
-  for (const Property& property : all_properties()) benchmark::DoNotOptimize(decide(property, mesh));
+using Visit = void (*)(const Replay&, SequenceUnderTest&);
+
+void only_refine(const Replay&, SequenceUnderTest&) {}
+
+/// As `asts check` does it: what a step leaves as it was is not decided again.
+void check_what_changed(const Replay&, SequenceUnderTest& sequence) {
+  for (const Property& property : all_properties()) benchmark::DoNotOptimize(sequence.decide(property));
+}
+
+void check_from_scratch(const Replay& replay, SequenceUnderTest&) {
+  SequenceUnderTest mesh(replay);
+  for (const Property& property : all_properties()) benchmark::DoNotOptimize(mesh.decide(property));
 }
 
 }  // namespace
@@ -46,14 +58,14 @@ void check_from_scratch(const Replay& replay) {
 void add_sequence_benchmarks() {
   for (const Workload workload : {Workload::sphere, Workload::corner, Workload::random}) {
     const Input input{workload, 3, 2, 100'000};
-    const auto add_steps = [&](const char* stage, int steps, void (*visit)(const Replay&)) {
+    const auto add_steps = [&](const char* stage, int steps, Visit visit) {
       benchmark::RegisterBenchmark((input.name() + "/" + stage).c_str(), [=](benchmark::State& state) {
         measure_steps(state, input, steps, visit);
       })->Unit(benchmark::kMillisecond);
     };
-    add_steps("steps-refine", kSteps, [](const Replay&) {});
+    add_steps("steps-refine", kSteps, only_refine);
+    add_steps("steps-check", kSteps, check_what_changed);
     add_steps("steps-check-from-scratch", kStepsFromScratch, check_from_scratch);
-    // The check that decides only what a step touched belongs here: "steps-check", kSteps.
   }
 }
 

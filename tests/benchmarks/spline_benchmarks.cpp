@@ -1,7 +1,8 @@
-#include "properties/properties.hpp"
+#include "properties/sequence_under_test.hpp"
 #include "tests/benchmarks/measure.hpp"
 
-/// From the refinement tree to the verdicts: each stage without those before it, and the whole check of one mesh.
+/// From the refinement tree to the verdicts: as `asts check` decides them, and plainly, on the whole mesh and stage by
+/// stage, as it decides what does not hold, explicit meshes and claims.
 namespace asts::benchmarks {
 
 namespace {
@@ -15,12 +16,35 @@ MeshPointer undecided(Prepared& prepared) {
   return mesh;
 }
 
-int holding(MeshUnderTest& mesh) {
+template <typename Subject, typename Decide>
+int count_holding(Subject& subject, Decide decide) {
   int count = 0;
   for (const Property& property : all_properties()) {
-    count += decide(property, mesh).outcome == Outcome::holds ? 1 : 0;
+    count += decide(subject, property).outcome == Outcome::holds ? 1 : 0;
   }
   return count;
+}
+
+/// Everything that is made on the way stays, so that it is weighed.
+std::unique_ptr<SequenceUnderTest> checked(const Replay* replay) {
+  auto sequence = std::make_unique<SequenceUnderTest>(*replay);
+  benchmark::DoNotOptimize(count_holding(
+      *sequence, [](SequenceUnderTest& subject, const Property& property) { return subject.decide(property); }));
+  return sequence;
+}
+
+MeshPointer checked_plainly(const RefinementTree* tree) {
+  auto mesh = std::make_unique<MeshUnderTest>(*tree);
+  benchmark::DoNotOptimize(
+      count_holding(*mesh, [](MeshUnderTest& subject, const Property& property) { return decide(property, subject); }));
+  return mesh;
+}
+
+/// The active nodes with their index vectors, zone by zone.
+std::unique_ptr<Zones> zones_of(const RefinementTree* tree) {
+  auto zones = std::make_unique<Zones>(*tree);
+  zones->rebuild(1);
+  return zones;
 }
 
 /// How the nodes' bytes an element are shared out: the nodes with the numbers of their vectors and their order along
@@ -62,21 +86,22 @@ void add_spline_benchmarks(const Input& input) {
   const auto add_measured = [&](const char* stage, void (*run)(benchmark::State&, const Input&)) {
     benchmark::RegisterBenchmark((input.name() + "/" + stage).c_str(), run, input)->Unit(benchmark::kMillisecond);
   };
-  add(
-      input, "mesh", [](Prepared& prepared) { return &prepared.tree(); },
-      [](const RefinementTree* tree) { return mesh_of(*tree); });
+  const auto tree = [](Prepared& prepared) { return &prepared.tree(); };
+  const auto replay = [](Prepared& prepared) { return &prepared.replay(); };
+  add(input, "zones", tree, zones_of);
+  for (const Property& property : all_properties()) {
+    add(input, property.id, replay,
+        [&property](const Replay* sequence) { return SequenceUnderTest(*sequence).decide(property); });
+  }
+  add(input, "check", replay, checked);
+  add(input, "mesh", tree, [](const RefinementTree* of) { return mesh_of(*of); });
   add_measured("nodes", measure_nodes);
   add_measured("bricks", measure_bricks);
   for (const Property& property : all_properties()) {
-    add(input, property.id, undecided, [&property](MeshPointer& mesh) { return decide(property, *mesh); });
+    add(input, std::string("plain-") + property.id, undecided,
+        [&property](MeshPointer& mesh) { return decide(property, *mesh); });
   }
-  add(
-      input, "check", [](Prepared& prepared) { return &prepared.tree(); },
-      [](const RefinementTree* tree) {
-        auto mesh = std::make_unique<MeshUnderTest>(*tree);
-        benchmark::DoNotOptimize(holding(*mesh));
-        return mesh;
-      });
+  add(input, "plain-check", tree, checked_plainly);
 }
 
 }  // namespace asts::benchmarks

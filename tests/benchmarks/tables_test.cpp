@@ -161,7 +161,7 @@ TEST(MatrixTable, HasALineForEachInput) {
   const std::string table = matrix_table(kSphere);
   EXPECT_EQ(lines_of(table).size(), 3U) << table;
   EXPECT_EQ(line_with(table, "| sphere"),
-            "| sphere/p3/m2/1000000 | 1200000 | 1000 | 500 | - | - | - | - | - | - | - | - | 2400 |");
+            "| sphere/p3/m2/1000000 | 1200000 | 1000 | 500 | - | - | - | - | - | - | 2400 | - | - | - | - |");
 }
 
 TEST(PlainTable, ShowsAllCounters) {

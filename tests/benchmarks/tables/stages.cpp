@@ -10,13 +10,32 @@ namespace asts::benchmarks {
 namespace {
 
 /// What is shown of an input, in the order in which it happens.
-constexpr std::array kStages{
-    "read",       "refine", "replay",      "closure",        "patches",           "mesh",
-    "nodes",      "bricks", "admissible",  "nested-patches", "analysis-suitable", "dual-compatible",
-    "dual-basis", "check",  "lambda-cold", "lambda-warm"};
-constexpr std::array kMatrixStages{"refine",          "closure",    "mesh",           "nodes",
-                                   "bricks",          "admissible", "nested-patches", "analysis-suitable",
-                                   "dual-compatible", "dual-basis", "check"};
+constexpr std::array kStages{"read",
+                             "refine",
+                             "replay",
+                             "closure",
+                             "patches",
+                             "zones",
+                             "admissible",
+                             "nested-patches",
+                             "analysis-suitable",
+                             "dual-compatible",
+                             "dual-basis",
+                             "check",
+                             "mesh",
+                             "nodes",
+                             "bricks",
+                             "plain-admissible",
+                             "plain-nested-patches",
+                             "plain-analysis-suitable",
+                             "plain-dual-compatible",
+                             "plain-dual-basis",
+                             "plain-check",
+                             "lambda-cold",
+                             "lambda-warm"};
+constexpr std::array kMatrixStages{
+    "refine",     "closure", "zones", "admissible", "nested-patches", "analysis-suitable", "dual-compatible",
+    "dual-basis", "check",   "mesh",  "nodes",      "bricks",         "plain-check"};
 
 const Row* find(const Rows& rows, const std::string& name) {
   const auto found = rows.find(name);
