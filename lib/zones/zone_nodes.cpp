@@ -58,20 +58,30 @@ void ZoneScanner::gather(const RankBox& box, std::vector<RankBox>& leaves) {
   }
 }
 
-/// Where the window ends along an axis, below or above the zone.
+/// Gathers the elements outside the zone, below it or above it, that the vectors along an axis are decided from.
+/// Returns where the farthest of them ends.
 std::int32_t ZoneScanner::extend(Axis axis, int direction) {
-  const int reach = (tree_->setting().degree[at(axis)] + 1) / 2;
-  std::int32_t end = direction > 0 ? own_[axis].upper : own_[axis].lower;
-  std::vector<RankBox>& leaves = slabs_[at(axis)];
-  for (int i = 0; i < reach; ++i) {
-    RankBox plane = own_;
-    plane[axis] = {end, end};
-    leaves.clear();
-    gather(plane, leaves);
+  const auto farthest = [&](const std::vector<RankBox>& leaves, std::int32_t end) {
     for (const RankBox& leaf : leaves) {
       end = direction > 0 ? std::max(end, leaf[axis].upper) : std::min(end, leaf[axis].lower);
     }
+    return end;
+  };
+  outside_.clear();
+  const int reach = (tree_->setting().degree[at(axis)] + 1) / 2;
+  const std::int32_t side = direction > 0 ? own_[axis].upper : own_[axis].lower;
+  std::int32_t end = farthest(core_, side);
+  for (int entries = 1; entries < reach; ++entries) {
+    RankBox part = own_;
+    const std::int32_t from = entries + 1 < reach ? end : side;  // the last time all of them
+    part[axis] = {std::min(from, end), std::max(from, end)};
+    outside_.clear();
+    gather(part, outside_);
+    end = farthest(outside_, end);
   }
+  std::vector<RankBox>& slab = slabs_[at(axis)];
+  std::copy_if(outside_.begin(), outside_.end(), std::back_inserter(slab),
+               [this](const RankBox& leaf) { return !touch(leaf, own_); });
   return end;
 }
 
@@ -203,21 +213,6 @@ void ZoneScanner::collect(ZoneNodes& result) {
   }
 }
 
-/// Finds the window of an axis, and the elements in its part outside the zone.
-void ZoneScanner::open_window(Axis axis) {
-  std::vector<RankBox>& slab = slabs_[at(axis)];
-  slab.clear();
-  window_[at(axis)] = own_[axis];
-  if (!asked_[at(axis)]) return;
-  window_[at(axis)] = {extend(axis, -1), extend(axis, +1)};
-  slab.clear();
-  RankBox part = own_;
-  part[axis] = {window_[at(axis)].lower, own_[axis].lower};
-  gather(part, slab);
-  part[axis] = {own_[axis].upper, window_[at(axis)].upper};
-  gather(part, slab);
-}
-
 bool ZoneScanner::scan(std::int32_t zone, ZoneNodes& result, const PerAxis<bool>& axes) {
   result = {};
   for (Axis axis = 0; axis < kDimension; ++axis) {
@@ -232,7 +227,9 @@ bool ZoneScanner::scan(std::int32_t zone, ZoneNodes& result, const PerAxis<bool>
   core_.clear();
   gather(own_, core_);
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    open_window(axis);
+    slabs_[at(axis)].clear();
+    window_[at(axis)] = own_[axis];
+    if (asked_[at(axis)]) window_[at(axis)] = {extend(axis, -1), extend(axis, +1)};
     if (!number_lines(axis)) return false;
     const AxisGrid& grid = tree_->grid(axis);
     result.window[at(axis)] = {grid.line_of_rank(window_[at(axis)].lower), grid.line_of_rank(window_[at(axis)].upper)};

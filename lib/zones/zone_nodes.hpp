@@ -28,9 +28,12 @@ struct ZoneNodes {
 /// rectangle, so that every element adds two bits to the words of its rectangle. An index vector is the node's own bit
 /// and the (p+1)/2 next ones on either side.
 ///
-/// The window. Along an axis it reaches so far from the zone that on each line of the zone parallel to the axis there
-/// are (p+1)/2 entries outside: each of (p+1)/2 times it is extended by the longest element that meets the plane in
-/// which it ended; then one more entry of each line is in it. Across the axis it is the zone's own.
+/// The window. Along an axis it has (p+1)/2 entries outside the zone on each line of the zone parallel to the axis. Let
+/// end(1) be the farthest end of the elements that touch the zone, and end(i+1) that of the elements that touch the
+/// window up to end(i). By induction the i-th entry of each line outside the zone lies before end(i) or on it: the
+/// elements around the line behind the i-th entry touch the window up to end(i), and one of them ends at the next
+/// entry. So the elements that touch the window up to end((p+1)/2 - 1) have all entries that are needed as their ends.
+/// Across the axis the window is the zone's own.
 ///
 /// Cost: linear in the elements that touch the zone and its three windows, plus, for each, the pairs of lines that
 /// cross its rectangles.
@@ -67,7 +70,6 @@ class ZoneScanner {
 
   void gather(const RankBox& box, std::vector<RankBox>& leaves);
   std::int32_t extend(Axis axis, int direction);
-  void open_window(Axis axis);
   bool number_lines(Axis axis);
   void mark_ends(Axis axis, const std::vector<RankBox>& leaves);
   void add_entries(Axis axis, const std::vector<RankBox>& leaves);
@@ -90,6 +92,7 @@ class ZoneScanner {
   PerAxis<std::vector<std::uint64_t>> entries_;  ///< X: words by the numbers of the lines of the next two axes
   std::vector<std::uint64_t> vertices_;          ///< x-bits of vertices, placed as entries_[0]
   PerAxis<WordTable> known_;
+  std::vector<RankBox> outside_;
   std::vector<std::int32_t> pending_;
 };
 

@@ -9,6 +9,9 @@ namespace asts {
 
 namespace {
 
+/// A zone that is looked at again is divided until it has a fraction of the elements of a new one.
+constexpr std::size_t kParts = 8;
+
 /// The nodes of the tree that become zones: the highest with few enough leaves.
 std::vector<std::int32_t> small_subtrees(const RefinementTree& tree, std::int32_t most_leaves) {
   std::vector<std::int32_t> leaves(at(tree.node_count()), 0);
@@ -93,7 +96,6 @@ void Zones::rebuild(int jobs) {
   parallel_for(jobs, subtrees.size(), [&](std::size_t i, int worker) {
     fits[i] = scanners[static_cast<std::size_t>(worker)].scan(subtrees[i], found[i]) ? 1 : 0;
   });
-  stores_ = empty_stores(tree_);
   zones_.clear();
   for (std::size_t i = 0; i < subtrees.size(); ++i) {
     if (fits[i] != 0) {
@@ -234,6 +236,69 @@ std::optional<RankBox> Zones::changed_box(const Zone& zone) const {
   return box;
 }
 
+/// The ranks of a node: of the middle entries of its index vectors.
+PerAxis<std::int32_t> Zones::position(const Zone& zone, const PerAxis<std::uint16_t>& node) const {
+  PerAxis<std::int32_t> ranks;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const auto lines = stores_[at(axis)][zone.vectors[at(axis)][node[at(axis)]]];
+    ranks[at(axis)] = tree_.grid(axis).rank_of_line(lines[lines.size() / 2]);
+  }
+  return ranks;
+}
+
+/// Appends the zones of the children of a zone's node of the tree, with its nodes and its windows.
+void Zones::divide(const Zone& zone, std::vector<Zone>& parts) const {
+  const Axis split = tree_.split_axis(zone.tree_node);
+  const std::int32_t first = tree_.node(zone.tree_node).first_child;
+  const auto count = at(tree_.child_count(zone.tree_node));
+  const std::size_t begin = parts.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    parts.push_back({first + static_cast<std::int32_t>(i), true, false, {}, {}, zone.window, {}});
+  }
+  std::vector<PerAxis<std::vector<std::int32_t>>> number(count);
+  for (const auto& node : zone.nodes) {
+    const std::int32_t rank = position(zone, node)[at(split)];
+    std::size_t part = 0;
+    while (rank >= tree_.extent(parts[begin + part].tree_node, split).upper) ++part;
+    PerAxis<std::uint16_t> moved;
+    for (std::size_t a = 0; a < kDimension; ++a) {
+      std::vector<std::int32_t>& known = number[part][a];
+      known.resize(zone.vectors[a].size(), -1);
+      if (known[node[a]] < 0) {
+        known[node[a]] = static_cast<std::int32_t>(parts[begin + part].vectors[a].size());
+        parts[begin + part].vectors[a].push_back(zone.vectors[a][node[a]]);
+      }
+      moved[a] = static_cast<std::uint16_t>(known[node[a]]);
+    }
+    parts[begin + part].nodes.push_back(moved);
+  }
+}
+
+/// Divides those of the zones that have many nodes; false when none has.
+bool Zones::divide_large(const std::map<std::size_t, Effect>& affected) {
+  const std::size_t most = at(limits_.elements) / kParts;
+  std::map<std::size_t, std::vector<Zone>> replaced;
+  for (const auto& [place, effect] : affected) {
+    if (zones_[place].nodes.size() <= most || tree_.is_leaf(zones_[place].tree_node)) continue;
+    std::vector<Zone>& parts = replaced[place];
+    std::vector<Zone> pending{zones_[place]};
+    while (!pending.empty()) {
+      const Zone zone = std::move(pending.back());
+      pending.pop_back();
+      if (zone.nodes.size() <= most || tree_.is_leaf(zone.tree_node)) {
+        parts.push_back(zone);
+        continue;
+      }
+      std::vector<Zone> children;
+      divide(zone, children);
+      std::move(children.rbegin(), children.rend(), std::back_inserter(pending));
+    }
+  }
+  if (replaced.empty()) return false;
+  replace(replaced);
+  return true;
+}
+
 /// Puts zones in the places of others.
 void Zones::replace(std::map<std::size_t, std::vector<Zone>>& replaced) {
   std::vector<Zone> zones;
@@ -252,8 +317,10 @@ void Zones::replace(std::map<std::size_t, std::vector<Zone>>& replaced) {
 std::vector<RankBox> Zones::update(std::span<const std::int32_t> subdivided) {
   for (const std::size_t place : changed_) zones_[place].changed.clear();
   changed_.clear();
+  std::map<std::size_t, Effect> affected = effects(subdivided);
+  if (divide_large(affected)) affected = effects(subdivided);
   std::map<std::size_t, std::vector<Zone>> replaced;  // by several
-  for (const auto& [place, effect] : effects(subdivided)) {
+  for (const auto& [place, effect] : affected) {
     Zone& zone = zones_[place];
     if (effect.nodes || !zone.known || !change_vectors(zone, effect.vectors)) {
       std::vector<Zone> again = scan_again(zone);

@@ -63,6 +63,7 @@ class Zones {
   Zone zone_of(std::int32_t tree_node, const ZoneNodes& found);
   std::vector<std::int32_t> intern(Axis axis, const ZoneNodes& found);
   void scan(std::int32_t tree_node, std::vector<Zone>& zones);
+  PerAxis<std::int32_t> position(const Zone& zone, const PerAxis<std::uint16_t>& node) const;
   RankBox support_hull(const Zone& zone) const;
   RankBox support(const Zone& zone, const PerAxis<std::uint16_t>& node) const;
   RankBox reach(const Zone& zone) const;
@@ -70,6 +71,8 @@ class Zones {
   std::map<std::size_t, Effect> effects(std::span<const std::int32_t> subdivided) const;
   bool change_vectors(Zone& zone, const PerAxis<bool>& axes);
   std::vector<Zone> scan_again(const Zone& before);
+  void divide(const Zone& zone, std::vector<Zone>& parts) const;
+  bool divide_large(const std::map<std::size_t, Effect>& affected);
   void replace(std::map<std::size_t, std::vector<Zone>>& replaced);
   std::optional<RankBox> changed_box(const Zone& zone) const;
 
