@@ -202,17 +202,26 @@ bool Zones::change_vectors(Zone& zone, const PerAxis<bool>& axes) {
   return true;
 }
 
-/// The zones that come of one, with the nodes marked that it did not have with these vectors.
+/// Marks the nodes of a zone that it did not have before, or not with these vectors. Nodes stay when a mesh is refined,
+/// and so does their order.
+void Zones::mark_changed(const Zone& before, Zone& zone) const {
+  std::size_t old = 0;
+  for (const auto& node : zone.nodes) {
+    const bool stayed = old < before.nodes.size() && position(before, before.nodes[old]) == position(zone, node);
+    zone.changed.push_back(!stayed || ids_of(before, before.nodes[old]) != ids_of(zone, node));
+    if (stayed) ++old;
+  }
+  ensure(old == before.nodes.size(), "no node leaves its zone");
+}
+
+/// The zones that come of one, with the changed nodes marked: all, if they are several or one is not known.
 std::vector<Zone> Zones::scan_again(const Zone& before) {
-  std::vector<VectorIds> known;
-  for (const auto& node : before.nodes) known.push_back(ids_of(before, node));
-  std::sort(known.begin(), known.end());
   std::vector<Zone> zones;
   scan(before.tree_node, zones);
-  for (Zone& zone : zones) {
-    for (const auto& node : zone.nodes) {
-      zone.changed.push_back(!std::binary_search(known.begin(), known.end(), ids_of(zone, node)));
-    }
+  if (zones.size() == 1 && zones.front().known) {
+    mark_changed(before, zones.front());
+  } else {
+    for (Zone& zone : zones) zone.changed.assign(zone.nodes.size(), true);
   }
   return zones;
 }

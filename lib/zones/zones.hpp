@@ -70,6 +70,7 @@ class Zones {
   void index_all();
   std::map<std::size_t, Effect> effects(std::span<const std::int32_t> subdivided) const;
   bool change_vectors(Zone& zone, const PerAxis<bool>& axes);
+  void mark_changed(const Zone& before, Zone& zone) const;
   std::vector<Zone> scan_again(const Zone& before);
   void divide(const Zone& zone, std::vector<Zone>& parts) const;
   bool divide_large(const std::map<std::size_t, Effect>& affected);
