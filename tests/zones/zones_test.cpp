@@ -1,0 +1,144 @@
+#include "lib/zones/zones.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "lib/exact/errors.hpp"
+#include "lib/gen/case_stream.hpp"
+#include "lib/gen/workloads.hpp"
+#include "lib/mesh/case_file.hpp"
+#include "lib/refine/replay.hpp"
+#include "lib/spline/tsplines.hpp"
+
+namespace asts {
+namespace {
+
+using Vectors = PerAxis<std::vector<Rational>>;
+
+/// The index vectors of all active nodes, by coordinates: they have the nodes as middle entries.
+std::vector<Vectors> of_mesh(const RefinementTree& tree) {
+  const Mesh mesh = mesh_of(tree);
+  const TSplines splines = tsplines_of(mesh);
+  std::vector<Vectors> result(splines.nodes.size());
+  for (std::int32_t node = 0; node < splines.size(); ++node) {
+    for (Axis axis = 0; axis < kDimension; ++axis) {
+      for (const std::int32_t rank : splines.index_vector(node, axis)) {
+        result[at(node)][at(axis)].push_back(mesh.coordinate(axis, rank));
+      }
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<Vectors> of_zones(const Zones& zones) {
+  std::vector<Vectors> result;
+  for (const Zone& zone : zones.list()) {
+    for (const auto& node : zone.nodes) {
+      Vectors& vectors = result.emplace_back();
+      for (Axis axis = 0; axis < kDimension; ++axis) {
+        for (const std::int32_t line : zones.stores()[at(axis)][zone.vectors[at(axis)][node[at(axis)]]]) {
+          vectors[at(axis)].push_back(zones.tree().grid(axis).coordinate(line));
+        }
+      }
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The nodes and vectors of each mesh of a case, followed step by step. Returns how many meshes.
+int compare(const Case& content, const ZoneLimits& limits) {
+  Replay replay(content);
+  Zones zones(replay.tree(), limits);
+  zones.rebuild(1);
+  int meshes = 0;
+  for (;;) {
+    EXPECT_TRUE(zones.known()) << write_case(content);
+    EXPECT_EQ(of_zones(zones), of_mesh(replay.tree()))
+        << write_case(content) << "mesh " << meshes << ", zones of " << limits.elements;
+    ++meshes;
+    if (replay.done() || ::testing::Test::HasFailure()) return meshes;
+    replay.advance();
+    zones.update(replay.subdivided());
+  }
+}
+
+TEST(Zones, HaveTheNodesAndVectorsOfTheMesh) {
+  constexpr ZoneLimits kLimits[] = {{1, 64}, {9, 64}, {64, 64}, {1000, 64}};
+  int meshes = 0;
+  for (std::int64_t number = 0; number < 600 && !HasFailure(); ++number) {
+    const Case content = make_case(plan_case(97, number)).content;
+    if (!content.explicit_mesh) meshes += compare(content, kLimits[number % 4]);
+  }
+  EXPECT_GT(meshes, 1000);
+}
+
+TEST(Zones, HaveThemWithOtherDegreesAndGradings) {
+  for (const Setting& setting : {Setting{{3, 5, 7}, 2, {9, 9, 11}}, Setting{{5, 3, 3}, 3, {8, 7, 6}}}) {
+    EXPECT_GT(compare(generate_workload(Workload::sphere, setting, 2000), {200, 64}), 2);
+    EXPECT_GT(compare(generate_workload(Workload::random, setting, 2000), {50, 64}), 2);
+  }
+}
+
+/// One cube in 2^7 layers beside a whole one: its neighbour's window has more lines than a word has bits.
+TEST(Zones, SayWhereTooManyLinesAre) {
+  Case content = parse_case("asts-case 1\ndegree 3 3 3\ngrading 128\ndomain 6 6 6\nsubdivide 2 2 2\n", "layers");
+  Replay replay(content);
+  while (!replay.done()) replay.advance();
+  Zones zones(replay.tree());
+  zones.rebuild(1);
+  EXPECT_FALSE(zones.known());
+}
+
+TEST(Zones, AreTheSameByAnyNumberOfThreads) {
+  const Case content = generate_workload(Workload::sphere, {{3, 3, 3}, 2, {8, 8, 8}}, 5000);
+  Replay replay(content);
+  while (!replay.done()) replay.advance();
+  Zones one(replay.tree(), {100, 64});
+  Zones three(replay.tree(), {100, 64});
+  one.rebuild(1);
+  three.rebuild(3);
+  EXPECT_EQ(one.active_nodes(), three.active_nodes());
+  EXPECT_EQ(of_zones(one), of_zones(three));
+}
+
+/// The boxes that update() returns contain the supports of all nodes that the mesh before did not have like this.
+TEST(Zones, NameBoxesAroundWhatChanged) {
+  Case content = generate_workload(Workload::sphere, {{3, 3, 3}, 2, {8, 8, 8}}, 3000);
+  const std::size_t before = content.steps.size();
+  for (const char* mark : {"2", "9/4", "7/2", "15/4", "5"}) {
+    Step step;
+    step.kind = Step::Kind::refine;
+    step.marks.push_back({CompactRational(Rational(mark)), CompactRational(4), CompactRational(3)});
+    content.steps.push_back(step);
+  }
+  Replay replay(content);
+  for (std::size_t i = 0; i < before; ++i) replay.advance();
+  Zones zones(replay.tree(), {100, 64});
+  zones.rebuild(1);
+  int changed = 0;
+  while (!replay.done()) {
+    const std::vector<Vectors> old = of_mesh(replay.tree());
+    replay.advance();
+    const std::vector<RankBox> boxes = zones.update(replay.subdivided());
+    for (const Vectors& vectors : of_mesh(replay.tree())) {
+      if (std::binary_search(old.begin(), old.end(), vectors)) continue;
+      ++changed;
+      const bool contained = std::any_of(boxes.begin(), boxes.end(), [&](const RankBox& box) {
+        for (Axis axis = 0; axis < kDimension; ++axis) {
+          const AxisGrid& grid = replay.tree().grid(axis);
+          if (grid.coordinate(grid.line_of_rank(box[axis].lower)) > vectors[at(axis)].front()) return false;
+          if (grid.coordinate(grid.line_of_rank(box[axis].upper)) < vectors[at(axis)].back()) return false;
+        }
+        return true;
+      });
+      EXPECT_TRUE(contained);
+    }
+  }
+  EXPECT_GT(changed, 100);
+}
+
+}  // namespace
+}  // namespace asts
