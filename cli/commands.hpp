@@ -29,6 +29,7 @@ struct ClaimsOptions {
 struct RefineOptions {
   std::string case_file;
   std::string write_file;
+  int jobs = 1;
   Format format = Format::text;
 };
 

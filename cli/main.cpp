@@ -177,6 +177,7 @@ class CommandLine {
     CLI::App* command = app_.add_subcommand("refine", "replay a case and count elements step by step");
     command->add_option("CASE", refine_.case_file, "a case file, or - for standard input")->required();
     command->add_option("--write", refine_.write_file, "write the last mesh as `element` lines to this file");
+    command->add_option("--jobs", refine_.jobs, "threads; the result does not depend on it")->check(CLI::Range(1, 256));
     add_format(*command, refine_.format);
     command->callback([this] { chosen_ = [this] { return refine(refine_); }; });
   }

@@ -60,7 +60,7 @@ int refine(const RefineOptions& options) {
     if (file) file->finish(write_case(explicit_case(input.content, *input.mesh)));
     return kHolds;
   }
-  Replay replay(input.content);
+  Replay replay(input.content, options.jobs);
   print_steps(replay, options.format);
   if (file) file->finish(write_case(explicit_case(input.content, mesh_of(replay.tree()))));
   return kHolds;

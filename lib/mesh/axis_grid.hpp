@@ -48,6 +48,9 @@ class AxisGrid {
   /// The first of the contiguous children: 2 of a block cell, m of the others; made, with their windows, when missing.
   std::int32_t children(std::int32_t cell);
 
+  /// The same, but kNone where there are none yet.
+  std::int32_t known_children(std::int32_t cell) const { return cells_[at(cell)].first_child; }
+
   /// Ranks of a cell's ends and of its window's ends. REQUIRES: update_ranks() since the last call of children().
   RankInterval extent(std::int32_t cell) const { return extent_[at(cell)]; }
   RankInterval window(std::int32_t cell) const { return window_[at(cell)]; }

@@ -56,6 +56,7 @@ RefinementTree::RefinementTree(const Setting& setting) : setting_(setting) {
   element_count_ = initial_left_ = cubes;
   unit_cubes_.assign(static_cast<std::size_t>(cubes), kNone);
   build_blocks();
+  initial_nodes_ = node_count();
 }
 
 Axis RefinementTree::split_axis(std::int32_t id) const {
@@ -84,7 +85,7 @@ std::int32_t RefinementTree::block_level(const PerAxis<std::int32_t>& cells) con
 void RefinementTree::build_blocks() {
   PerAxis<std::int32_t> root{};
   for (Axis axis = 0; axis < kDimension; ++axis) root[at(axis)] = grid(axis).root();
-  nodes_.push_back({root, kNone, kNone, block_level(root), 0});
+  push_node({root, kNone, kNone, block_level(root), 0});
   for (std::int32_t id = 0; id < node_count(); ++id) {
     if (node(id).level < 0) {
       add_children(id, split_axis(id), 2);
@@ -99,21 +100,27 @@ void RefinementTree::build_blocks() {
 }
 
 void RefinementTree::add_children(std::int32_t id, Axis axis, std::int32_t count) {
-  if (nodes_.size() + at(count) > at(std::numeric_limits<std::int32_t>::max())) {
+  if (places_.size() + at(count) > at(std::numeric_limits<std::int32_t>::max())) {
     throw ResourceError("the refinement tree has 2^31 nodes");
   }
   const auto split = at(axis);
   Node child = node(id);
   const std::int32_t first_cell = grids_[split].children(child.cell[split]);
-  nodes_[at(id)].first_child = node_count();
+  places_[at(id)].first_child = node_count();
   child.parent = id;
   child.first_child = kNone;
   for (std::int32_t j = 0; j < count; ++j) {
     child.cell[split] = first_cell + j;
     child.level = node(id).level < 0 ? block_level(child.cell) : node(id).level + 1;
     child.coarsest = std::max(child.level, 0);
-    nodes_.push_back(child);
+    push_node(child);
   }
+}
+
+void RefinementTree::push_node(const Node& node) {
+  places_.push_back({node.cell, node.first_child});
+  links_.push_back({node.parent, node.level});
+  coarsest_.push_back(node.coarsest);
 }
 
 std::int32_t RefinementTree::unit_cube(const PerAxis<std::int32_t>& index) const {
@@ -149,6 +156,15 @@ std::int32_t RefinementTree::leaf_at(const Point& point) const {
   return descend_to_leaf(*this, wide_numerator, wide_denominator);
 }
 
+void RefinementTree::reserve_subdivisions(std::size_t count) {
+  const std::size_t nodes = places_.size() + count * at(setting_.grading);
+  if (nodes <= places_.capacity()) return;
+  const std::size_t room = std::max(nodes, 2 * places_.capacity());  // many small steps stay linear in all
+  places_.reserve(room);
+  links_.reserve(room);
+  coarsest_.reserve(room);
+}
+
 void RefinementTree::subdivide(std::int32_t leaf) {
   ensure(is_leaf(leaf) && node(leaf).level >= 0, "only a leaf is subdivided");
   const std::int32_t level = node(leaf).level;
@@ -156,30 +172,34 @@ void RefinementTree::subdivide(std::int32_t leaf) {
   element_count_ += setting_.grading - 1;
   if (level == 0) --initial_left_;
   max_level_ = std::max(max_level_, level + 1);
-  set_coarsest(leaf, level + 1);
+  set_coarsest(leaf, level + 1, 0);
 }
 
 void RefinementTree::update_ranks() {
   for (AxisGrid& axis_grid : grids_) axis_grid.update_ranks();
 }
 
-/// Sets a node's coarsest level and carries the change upwards as far as it matters.
-void RefinementTree::set_coarsest(std::int32_t id, std::int32_t level) {
-  nodes_[at(id)].coarsest = level;
-  for (std::int32_t up = node(id).parent; up != kNone; up = node(up).parent) {
-    const std::int32_t before = node(up).coarsest;
-    if (level > before) level = coarsest_child(up, before);
+/// Sets a node's coarsest level and carries the change upwards, to `top` at most, as far as it matters.
+void RefinementTree::set_coarsest(std::int32_t id, std::int32_t level, std::int32_t top) {
+  coarsest_[at(id)] = level;
+  while (id != top) {
+    const std::int32_t parent = links_[at(id)].parent;
+    const std::int32_t before = coarsest_[at(parent)];
+    if (level > before) level = coarsest_sibling(id, before);
     if (level == before) return;
-    nodes_[at(up)].coarsest = level;
+    coarsest_[at(parent)] = level;
+    id = parent;
   }
 }
 
-/// The minimum over the children; ends early at `bound`, below which none of them is.
-std::int32_t RefinementTree::coarsest_child(std::int32_t id, std::int32_t bound) const {
+/// The minimum over a node and its siblings; ends early at `bound`, below which none of them is.
+std::int32_t RefinementTree::coarsest_sibling(std::int32_t id, std::int32_t bound) const {
+  const bool initial = id < initial_nodes_;
+  const std::int32_t first = initial ? id - (id - 1) % 2 : id - child_number(id);
+  const std::int32_t count = initial ? 2 : setting_.grading;
   std::int32_t coarsest = kNoLevel;
-  const std::int32_t first = node(id).first_child;
-  for (std::int32_t child = first; child < first + child_count(id) && coarsest > bound; ++child) {
-    coarsest = std::min(coarsest, node(child).coarsest);
+  for (std::int32_t child = first; child < first + count && coarsest > bound; ++child) {
+    coarsest = std::min(coarsest, coarsest_[at(child)]);
   }
   return coarsest;
 }

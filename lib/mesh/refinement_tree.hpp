@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/mesh/axis_grid.hpp"
+#include "lib/mesh/node_array.hpp"
 #include "lib/mesh/setting.hpp"
 
 namespace asts {
@@ -38,13 +39,42 @@ class RefinementTree {
   explicit RefinementTree(const Setting& setting);
 
   const Setting& setting() const { return setting_; }
-  const Node& node(std::int32_t id) const { return nodes_[at(id)]; }
-  std::int32_t node_count() const { return static_cast<std::int32_t>(nodes_.size()); }
-  bool is_leaf(std::int32_t id) const { return node(id).first_child == kNone; }
+  /// A copy; what is not used of it is not read.
+  Node node(std::int32_t id) const {
+    const Place& place = places_[at(id)];
+    const Link& link = links_[at(id)];
+    return {place.cell, link.parent, place.first_child, link.level, coarsest_[at(id)]};
+  }
+  std::int32_t node_count() const { return static_cast<std::int32_t>(places_.size()); }
+  std::int32_t coarsest(std::int32_t id) const { return coarsest_[at(id)]; }
+  std::int32_t first_child(std::int32_t id) const { return places_[at(id)].first_child; }
+  bool is_leaf(std::int32_t id) const { return places_[at(id)].first_child == kNone; }
   /// m for an element, 2 for a block.
   std::int32_t child_count(std::int32_t id) const { return node(id).level < 0 ? 2 : setting_.grading; }
   /// The axis along which a node is split: level mod 3 for an element (Definition 2.6).
   Axis split_axis(std::int32_t id) const;
+
+  /// The place of a child among its siblings. REQUIRES: an element of level 1 or more.
+  std::int32_t child_number(std::int32_t id) const { return (id - initial_nodes_) % setting_.grading; }
+
+  /// Asks for a node, for what is above it, or for the coarsest levels and places of a node's children, a while before
+  /// they are read: walks through large trees mostly wait for memory. The children of a leaf are nothing.
+  void prefetch(std::int32_t id) const {
+    __builtin_prefetch(&places_[at(id)]);
+    __builtin_prefetch(&links_[at(id)]);
+    __builtin_prefetch(&coarsest_[at(id)]);
+  }
+  void prefetch_parent(std::int32_t id) const {
+    const std::int32_t parent = links_[at(id)].parent;
+    if (parent == kNone) return;
+    __builtin_prefetch(&links_[at(parent)]);
+    __builtin_prefetch(&coarsest_[at(parent)]);
+  }
+  void prefetch_children(std::int32_t first_child) const {
+    if (first_child == kNone) return;
+    __builtin_prefetch(&places_[at(first_child)]);
+    __builtin_prefetch(&coarsest_[at(first_child)]);
+  }
 
   /// Appends a node's children to a stack, so that they are taken off it in the order of their coordinates.
   /// REQUIRES: no leaf.
@@ -67,30 +97,52 @@ class RefinementTree {
   /// element. Cost: linear in the leaf's level.
   std::int32_t leaf_at(const Point& point) const;
 
+  /// Makes room for so many subdivisions, so that the nodes are moved once at most.
+  void reserve_subdivisions(std::size_t count);
   /// Definition 2.6: replaces a leaf by its m children. Ranks are stale until update_ranks(). REQUIRES: a leaf.
   void subdivide(std::int32_t leaf);
   void update_ranks();
 
   /// Marks a leaf: searches by `coarsest` do not see it any more, until it is subdivided. REQUIRES: a leaf.
-  void mark(std::int32_t leaf) { set_coarsest(leaf, kNoLevel); }
+  void mark(std::int32_t leaf) { mark_below(0, leaf); }
+  /// The same, but no node above `top`, which has the leaf below, is told: threads may mark below different nodes, none
+  /// above another, and one of them then calls carry_up() for each node.
+  void mark_below(std::int32_t top, std::int32_t leaf) { set_coarsest(leaf, kNoLevel, top); }
+  void carry_up(std::int32_t top) { set_coarsest(top, coarsest_[at(top)], 0); }
   bool is_marked(std::int32_t leaf) const { return is_leaf(leaf) && node(leaf).coarsest == kNoLevel; }
 
   /// The node that is exactly this unit cube. REQUIRES: in the domain.
   std::int32_t unit_cube(const PerAxis<std::int32_t>& index) const;
 
  private:
-  std::int32_t cell(std::int32_t id, Axis axis) const { return node(id).cell[at(axis)]; }
+  /// The nodes are stored in three parts, by what is read together: a search reads the coarsest levels of many nodes
+  /// and the places of some.
+  struct Place {
+    PerAxis<std::int32_t> cell;
+    std::int32_t first_child;
+  };
+  struct Link {
+    std::int32_t parent;
+    std::int32_t level;
+  };
+
+  std::int32_t cell(std::int32_t id, Axis axis) const { return places_[at(id)].cell[at(axis)]; }
+  void push_node(const Node& node);
   Axis longest_block_axis(const Node& block) const;
   std::int32_t block_level(const PerAxis<std::int32_t>& cells) const;
   void add_children(std::int32_t id, Axis axis, std::int32_t count);
   void build_blocks();
-  void set_coarsest(std::int32_t id, std::int32_t level);
-  std::int32_t coarsest_child(std::int32_t id, std::int32_t bound) const;
+  void set_coarsest(std::int32_t id, std::int32_t level, std::int32_t top);
+  std::int32_t coarsest_sibling(std::int32_t id, std::int32_t bound) const;
 
   Setting setting_;
   std::vector<AxisGrid> grids_;
-  std::vector<Node> nodes_;
+  NodeArray<Place> places_;
+  NodeArray<Link> links_;
+  NodeArray<std::int32_t> coarsest_;
   std::vector<std::int32_t> unit_cubes_;
+  std::int32_t initial_nodes_ =
+      0;  ///< after the domain every two nodes are the halves of one up to here, then every m the children of one
   std::int64_t element_count_ = 0;
   std::int64_t initial_left_ = 0;
   std::int32_t max_level_ = 0;

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "lib/refine/node_table.hpp"
 #include "lib/refine/patch_search.hpp"
 
 namespace asts {
@@ -17,11 +18,10 @@ std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree) {
   std::optional<CoarserInPatch> result;
   PatchSearch search(tree);
   for (std::size_t level = 1; level < inner.size() && !result; ++level) {
-    search.coarser_in_patches(inner[level], static_cast<std::int32_t>(level),
-                              [&](std::int32_t k, std::int32_t coarser) {
-                                result = CoarserInPatch{k, coarser};
-                                return false;
-                              });
+    search.coarser_in_patches(inner[level], static_cast<std::int32_t>(level), [&](const PatchSearch::Coarser& coarser) {
+      result = CoarserInPatch{coarser.element(), coarser.leaf};
+      return false;
+    });
   }
   return result;
 }
@@ -30,13 +30,13 @@ bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::
   PatchSearch search(tree);
   std::vector<std::vector<std::int32_t>> by_level(at(tree.max_level()) + 1);
   for (const std::int32_t leaf : leaves) by_level[at(tree.node(leaf).level)].push_back(leaf);
-  std::vector<bool> in_set(at(tree.node_count()), false);
-  for (const std::int32_t leaf : leaves) in_set[at(leaf)] = true;
+  NodeTable in_set;
+  for (const std::int32_t leaf : leaves) in_set.insert(leaf);
   for (std::size_t level = 1; level < by_level.size(); ++level) {
     const bool clear = search.coarser_in_patches(
-        by_level[level], static_cast<std::int32_t>(level), [&](std::int32_t k, std::int32_t coarser) {
-          const std::int32_t after = tree.node(coarser).level + (in_set[at(coarser)] ? 1 : 0);
-          return after >= tree.node(k).level;
+        by_level[level], static_cast<std::int32_t>(level), [&](const PatchSearch::Coarser& coarser) {
+          const std::int32_t after = tree.node(coarser.leaf).level + (in_set.contains(coarser.leaf) ? 1 : 0);
+          return after >= static_cast<std::int32_t>(level);
         });
     if (!clear) return false;
   }

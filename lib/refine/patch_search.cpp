@@ -5,29 +5,35 @@
 namespace asts {
 
 bool PatchSearch::coarser_in_patches(std::span<const std::int32_t> elements, std::int32_t level, const Found& found) {
-  if (elements.empty() || tree_.node(0).coarsest >= level) return true;
-  level_ = level;
-  span_subtree(elements);
-  append_entries(level);
+  if (elements.empty() || tree_.coarsest(0) >= level) return true;
+  const ClusterShape shape(tree_.setting().grading, level);
+  return coarser_below(0, shape, Clusters(tree_, shape, elements), found);
+}
 
+bool PatchSearch::coarser_below(std::int32_t top, const ClusterShape& shape, const Clusters& clusters,
+                                const Found& found) {
+  level_ = shape.level();
+  const std::vector<Clusters::Entry>& entries = clusters.entries();
   struct Frame {
     std::int32_t end;
     std::size_t first_candidate;
   };
-  std::vector<Frame> frames{{static_cast<std::int32_t>(entries_.size()), 0}};
-  candidates_.assign(1, 0);
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(entries_.size());) {
-    const Entry& entry = entries_[at(i)];
+  std::vector<Frame> frames{{static_cast<std::int32_t>(entries.size()), 0}};
+  candidates_.assign(1, top);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(entries.size());) {
+    const Clusters::Entry& entry = entries[at(i)];
     while (frames.back().end <= i) {
       candidates_.resize(frames.back().first_candidate);
       frames.pop_back();
     }
+    if (entry.cluster.members != 0) {
+      if (!report_leaves(shape, clusters, i, frames.back().first_candidate, found)) return false;
+      ++i;
+      continue;
+    }
     const std::size_t own = candidates_.size();
     collect_candidates(entry, frames.back().first_candidate, own);
-    const bool is_element = tree_.node(entry.node).level == level;
-    if (is_element && !report_leaves(entry, own, found)) return false;
-    if (is_element || candidates_.size() == own) {
-      candidates_.resize(own);
+    if (candidates_.size() == own) {
       i = entry.end;
     } else {
       frames.push_back({entry.end, own});
@@ -37,69 +43,20 @@ bool PatchSearch::coarser_in_patches(std::span<const std::int32_t> elements, std
   return true;
 }
 
-/// Stamps the elements and all nodes above them.
-void PatchSearch::span_subtree(std::span<const std::int32_t> elements) {
-  ++epoch_;
-  stamp_.resize(at(tree_.node_count()), 0);
-  for (const std::int32_t element : elements) {
-    for (std::int32_t id = element; id != RefinementTree::kNone && stamp_[at(id)] != epoch_;
-         id = tree_.node(id).parent) {
-      stamp_[at(id)] = epoch_;
-    }
-  }
-}
-
-/// Lists the stamped subtree in preorder and gives each node the bounding box of the environments below it.
-void PatchSearch::append_entries(std::int32_t level) {
-  entries_.clear();
-  pending_.assign(1, 0);
-  std::vector<std::int32_t> open;  // entries whose subtree is not complete
-  const auto close_top = [&] {
-    const Extent below = entries_[at(open.back())].window;
-    entries_[at(open.back())].end = static_cast<std::int32_t>(entries_.size());
-    open.pop_back();
-    if (open.empty()) return;
-    for (std::size_t axis = 0; axis < kDimension; ++axis) {
-      RankInterval& side = entries_[at(open.back())].window.side[axis];
-      side.lower = std::min(side.lower, below.side[axis].lower);
-      side.upper = std::max(side.upper, below.side[axis].upper);
-    }
-  };
-  while (!pending_.empty()) {
-    const std::int32_t id = pending_.back();
-    pending_.pop_back();
-    while (!open.empty() && entries_[at(open.back())].node != tree_.node(id).parent) close_top();
-    open.push_back(static_cast<std::int32_t>(entries_.size()));
-    Entry& entry = entries_.emplace_back(Entry{id, 0, {}});
-    const bool is_element = tree_.node(id).level == level;
-    for (Axis axis = 0; axis < kDimension; ++axis) {
-      entry.window.side[at(axis)] =
-          is_element ? tree_.environment(id, axis) : RankInterval{std::numeric_limits<std::int32_t>::max(), 0};
-    }
-    if (is_element) continue;
-    const std::int32_t first = tree_.node(id).first_child;
-    for (std::int32_t child = first + tree_.child_count(id) - 1; child >= first; --child) {
-      if (stamp_[at(child)] == epoch_) pending_.push_back(child);
-    }
-  }
-  while (!open.empty()) close_top();
-}
-
-/// Whether a node meets an open box and has an unmarked leaf below that is coarser than the level searched for. A leaf
-/// is the closure of its interior, so it meets an open box exactly if the interiors do.
-bool PatchSearch::reaches(std::int32_t candidate, const Extent& window) const {
-  if (tree_.node(candidate).coarsest >= level_) return false;
+/// Whether a node meets an open box and has an unmarked leaf below that is coarser than the level searched for.
+bool PatchSearch::reaches(std::int32_t candidate, const RankBox& window) const {
+  if (tree_.coarsest(candidate) >= level_) return false;
   for (Axis axis = 0; axis < kDimension; ++axis) {
     const RankInterval side = tree_.extent(candidate, axis);
-    if (side.upper <= window.side[at(axis)].lower || side.lower >= window.side[at(axis)].upper) return false;
+    if (side.upper <= window[at(axis)].lower || side.lower >= window[at(axis)].upper) return false;
   }
   return true;
 }
 
 /// Appends the candidates of an entry: those of the entry above that still count, replaced by their children while
 /// they are larger than the entry's own node.
-void PatchSearch::collect_candidates(const Entry& entry, std::size_t from, std::size_t to) {
-  const std::int32_t own_level = tree_.node(entry.node).level;
+void PatchSearch::collect_candidates(const Clusters::Entry& entry, std::size_t from, std::size_t to) {
+  const std::int32_t own_level = tree_.node(entry.cluster.root).level;
   for (std::size_t i = from; i < to; ++i) {
     pending_.assign(1, candidates_[i]);
     while (!pending_.empty()) {
@@ -115,21 +72,71 @@ void PatchSearch::collect_candidates(const Entry& entry, std::size_t from, std::
   }
 }
 
-bool PatchSearch::report_leaves(const Entry& entry, std::size_t from, const Found& found) {
-  for (std::size_t i = from; i < candidates_.size(); ++i) {
-    pending_.assign(1, candidates_[i]);
-    while (!pending_.empty()) {
-      const std::int32_t id = pending_.back();
-      pending_.pop_back();
-      if (!reaches(id, entry.window)) continue;
-      if (!tree_.is_leaf(id)) {
-        tree_.push_children(id, pending_);
-      } else if (!found(entry.node, id)) {
-        return false;
-      }
-    }
+bool PatchSearch::report_leaves(const ClusterShape& shape, const Clusters& clusters, std::int32_t number,
+                                std::size_t from, const Found& found) {
+  const Clusters::Entry& entry = clusters.entries()[at(number)];
+  const auto reached = [&](std::int32_t candidate) { return reaches(candidate, entry.window); };
+  if (std::none_of(candidates_.begin() + static_cast<std::ptrdiff_t>(from), candidates_.end(), reached)) return true;
+  reach_.assign(tree_, shape, entry.cluster);
+  collect_leaves(from);
+  for (const Leaf& leaf : leaves_) {
+    if (!found({leaf.node, number, {entry.cluster.root, leaf.members}, tree_, shape})) return false;
   }
   return true;
+}
+
+void PatchSearch::start_from(std::int32_t candidate) {
+  const RefinementTree::Node node = tree_.node(candidate);
+  if (node.coarsest >= level_) return;
+  Hit hit{candidate, node.first_child, node.level, {}};
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    hit.along[at(axis)] = reach_.members_along(axis, tree_.extent(candidate, axis));
+  }
+  if (hit.members() == 0) return;
+  tree_.prefetch_children(hit.first_child);
+  hits_.push_back(hit);
+}
+
+/// The children of a node that have a leaf to be found below. They differ from the node along one axis only.
+void PatchSearch::push_children(const Hit& hit) {
+  const Axis axis = hit.level < 0 ? tree_.split_axis(hit.node) : hit.level % kDimension;
+  const std::int32_t end = hit.first_child + (hit.level < 0 ? 2 : tree_.setting().grading);
+  for (std::int32_t id = hit.first_child; id < end; ++id) {
+    if (tree_.coarsest(id) >= level_) continue;
+    Hit child = hit;
+    child.along[at(axis)] = reach_.members_along(axis, tree_.extent(id, axis));
+    if (child.members() == 0) continue;
+    child.node = id;
+    child.first_child = tree_.first_child(id);
+    child.level = hit.level < 0 ? tree_.node(id).level : hit.level + 1;
+    tree_.prefetch_children(child.first_child);
+    deeper_hits_.push_back(child);
+  }
+}
+
+/// Goes down from the candidates, all of them one step at a time, so that what is read next has been asked for.
+void PatchSearch::collect_leaves(std::size_t from) {
+  hits_.clear();
+  for (std::size_t i = from; i < candidates_.size(); ++i) start_from(candidates_[i]);
+  const auto is_inner = [](const Hit& hit) { return hit.first_child != RefinementTree::kNone; };
+  while (std::any_of(hits_.begin(), hits_.end(), is_inner)) {
+    deeper_hits_.clear();
+    for (const Hit& hit : hits_) {
+      if (is_inner(hit)) {
+        push_children(hit);
+      } else {
+        deeper_hits_.push_back(hit);  // in its place among the others: the leaves end up in the order of the tree
+      }
+    }
+    hits_.swap(deeper_hits_);
+  }
+  leaves_.clear();
+  for (const Hit& hit : hits_) {
+    const std::uint64_t members = hit.members();
+    const auto first = static_cast<std::uint64_t>(std::countr_zero(members));
+    leaves_.push_back({first << 32U | leaves_.size(), hit.node, members});
+  }
+  std::sort(leaves_.begin(), leaves_.end(), [](const Leaf& a, const Leaf& b) { return a.order < b.order; });
 }
 
 }  // namespace asts

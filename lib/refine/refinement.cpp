@@ -1,34 +1,53 @@
 #include "lib/refine/refinement.hpp"
 
+#include "lib/refine/parallel_marks.hpp"
 #include "lib/refine/patch_search.hpp"
 
 namespace asts {
 
-std::vector<std::int32_t> mark_closure(RefinementTree& tree, std::span<const std::int32_t> marks) {
+namespace {
+
+/// Not worth a thread.
+constexpr std::size_t kFewElements = 1024;
+
+}  // namespace
+
+std::vector<std::int32_t> mark_closure(RefinementTree& tree, std::span<const std::int32_t> marks, int jobs) {
   std::vector<std::vector<std::int32_t>> by_level(at(tree.max_level()) + 1);
-  const auto mark = [&](std::int32_t leaf) {
-    if (tree.is_marked(leaf)) return;
+  for (const std::int32_t leaf : marks) {
+    if (tree.is_marked(leaf)) continue;
     by_level[at(tree.node(leaf).level)].push_back(leaf);
     tree.mark(leaf);
-  };
-  for (const std::int32_t leaf : marks) mark(leaf);
-
+  }
   PatchSearch search(tree);
   std::vector<std::int32_t> closure;
   for (std::size_t level = by_level.size(); level-- > 0;) {
     // only levels below this one grow during the search
-    search.coarser_in_patches(by_level[level], static_cast<std::int32_t>(level),
-                              [&](std::int32_t, std::int32_t coarser) {
-                                mark(coarser);
-                                return true;
-                              });
-    closure.insert(closure.end(), by_level[level].begin(), by_level[level].end());
+    const std::vector<std::int32_t>& elements = by_level[level];
+    if (jobs > 1 && elements.size() >= kFewElements) {
+      for (const std::int32_t leaf : mark_coarser(tree, elements, static_cast<std::int32_t>(level), jobs)) {
+        by_level[at(tree.node(leaf).level)].push_back(leaf);
+      }
+    } else {
+      search.coarser_in_patches(elements, static_cast<std::int32_t>(level), [&](const PatchSearch::Coarser& coarser) {
+        by_level[at(tree.node(coarser.leaf).level)].push_back(coarser.leaf);
+        tree.mark(coarser.leaf);
+        return true;
+      });
+    }
+    closure.insert(closure.end(), elements.begin(), elements.end());
   }
   return closure;
 }
 
 void subdivide_all(RefinementTree& tree, std::span<const std::int32_t> leaves) {
-  for (const std::int32_t leaf : leaves) tree.subdivide(leaf);
+  constexpr std::size_t kAhead = 16;
+  tree.reserve_subdivisions(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (i + 2 * kAhead < leaves.size()) tree.prefetch(leaves[i + 2 * kAhead]);
+    if (i + kAhead < leaves.size()) tree.prefetch_parent(leaves[i + kAhead]);
+    tree.subdivide(leaves[i]);
+  }
   tree.update_ranks();
 }
 

@@ -21,8 +21,10 @@ struct StepCounts {
 /// valid case.
 class Replay {
  public:
-  /// REQUIRES: `test_case` outlives it and is no explicit mesh. Throws what RefinementTree's constructor throws.
-  explicit Replay(const Case& test_case);
+  /// What it does and in which order does not depend on `jobs`, the number of threads.
+  /// REQUIRES: `test_case` outlives it and is no explicit mesh; jobs >= 1. Throws what RefinementTree's constructor
+  /// throws.
+  explicit Replay(const Case& test_case, int jobs = 1);
 
   const RefinementTree& tree() const { return tree_; }
   const StepCounts& counts() const { return counts_; }
@@ -40,7 +42,10 @@ class Replay {
   void watch_history() { watch_history_ = true; }
 
  private:
+  std::vector<std::int32_t> marked_leaves(const Step& step) const;
+
   const Case& case_;
+  int jobs_;
   RefinementTree tree_;
   StepCounts counts_;
   std::vector<std::int32_t> subdivided_;

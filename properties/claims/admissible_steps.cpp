@@ -32,10 +32,11 @@ std::vector<std::int32_t> admissible_leaves(const RefinementTree& tree) {
   std::vector<bool> hindered(at(tree.node_count()), false);
   PatchSearch search(tree);
   for (std::size_t level = 1; level < by_level.size(); ++level) {
-    search.coarser_in_patches(by_level[level], static_cast<std::int32_t>(level), [&](std::int32_t k, std::int32_t) {
-      hindered[at(k)] = true;
-      return true;
-    });
+    search.coarser_in_patches(by_level[level], static_cast<std::int32_t>(level),
+                              [&](const PatchSearch::Coarser& coarser) {
+                                coarser.for_each_element([&](std::int32_t k) { hindered[at(k)] = true; });
+                                return true;
+                              });
   }
   std::vector<std::int32_t> result;
   for (std::int32_t id = 0; id < tree.node_count(); ++id) {

@@ -150,5 +150,24 @@ TEST(RefineCommand, SaysThatADeviceIsFull) {
   EXPECT_EQ(outcome.err, "asts: /dev/full: could not be written to its end\n");
 }
 
+// The bytes do not depend on the number of threads, on a case large enough that they share the work.
+TEST(Refine, PrintsAndWritesTheSameBytesForAnyNumberOfJobs) {
+  const TemporaryFolder folder;
+  const std::string sphere =
+      folder.write("sphere.case", run({"generate", "sphere", "--domain", "8,8,8", "--elements", "20000"}).out);
+  const std::string one = folder.path("one.case");
+  const Outcome expected = run({"refine", sphere, "--format", "json", "--write", one});
+  EXPECT_EQ(expected.exit_code, 0);
+  for (const char* jobs : {"1", "2", "3"}) {
+    const std::string written = folder.path(std::string("jobs-") + jobs);
+    const Outcome outcome = run({"refine", sphere, "--format", "json", "--write", written, "--jobs", jobs});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out, expected.out);
+    EXPECT_EQ(content_of(written), content_of(one));
+  }
+  EXPECT_EQ(run({"refine", sphere, "--jobs", "0"}).exit_code, 2);
+  EXPECT_EQ(run({"refine", sphere, "--jobs", "257"}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace asts::testing
