@@ -48,7 +48,7 @@ bool stays_admissible(const RefinementTree& tree, std::span<const std::int32_t> 
   for (const std::int32_t id : subdivided) by_level[tree.node(id).level].push_back(id);
   PatchSearch search(tree);
   return std::all_of(by_level.begin(), by_level.end(), [&](const auto& level) {
-    return search.coarser_in_patches(level.second, level.first, [](std::int32_t, std::int32_t) { return false; });
+    return search.coarser_in_patches(level.second, level.first, [](const PatchSearch::Coarser&) { return false; });
   });
 }
 
