@@ -75,14 +75,11 @@ bool ZoneAxis::find_failures() {
   return true;
 }
 
-bool ZoneAxis::nonzero(const VectorStore& store, std::size_t x, std::size_t x_tilde) {
-  if (!meet(x, x_tilde)) return false;  // DualFunctional, law 3
-  std::uint8_t& known = asked_[x * ids_.size() + x_tilde];
-  if (known == 0) {
-    const FactorTable::Factor factor = factors_.of(store, ids_[x], ids_[x_tilde]);
-    known = factor.known && factor.zero ? 1 : 2;
-  }
-  return known == 2;
+bool ZoneAxis::evaluate(const VectorStore& store, std::size_t x, std::size_t x_tilde) {
+  const FactorTable::Factor factor = factors_.of(store, ids_[x], ids_[x_tilde]);
+  const bool zero = factor.known && factor.zero;
+  asked_[x * ids_.size() + x_tilde] = zero ? 1 : 2;
+  return !zero;
 }
 
 }  // namespace asts

@@ -84,7 +84,11 @@ class ZoneAxis {
   std::uint64_t active() const { return active_; }
 
   /// Whether lambda_X(N_X~) differs from 0, or is not known to be 0. Evaluated when first asked for.
-  bool nonzero(const VectorStore& store, std::size_t x, std::size_t x_tilde);
+  bool nonzero(const VectorStore& store, std::size_t x, std::size_t x_tilde) {
+    if (!meet(x, x_tilde)) return false;  // DualFunctional, law 3
+    const std::uint8_t known = asked_[x * ids_.size() + x_tilde];
+    return known == 0 ? evaluate(store, x, x_tilde) : known == 2;
+  }
   bool is_one(const VectorStore& store, std::size_t x) { return factors_.of(store, ids_[x], ids_[x]).one; }
   void forget_factors() { asked_.assign(ids_.size() * ids_.size(), 0); }
 
@@ -94,6 +98,7 @@ class ZoneAxis {
     std::uint64_t entries;
     std::uint64_t reached;
   };
+  bool evaluate(const VectorStore& store, std::size_t x, std::size_t x_tilde);
   std::uint64_t between(const RankInterval& ranks) const;
 
   RankInterval box_;

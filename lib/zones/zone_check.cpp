@@ -1,5 +1,6 @@
 #include "lib/zones/zone_check.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <numeric>
 
@@ -64,6 +65,7 @@ Proven ZoneCheck::decide() {
 void ZoneCheck::group_by(Axis axis) {
   columns_.clear();
   rows_.clear();
+  seconds_.clear();
   group_by(axis, nodes_, row_);
   if (asked_.size() == nodes_.size()) {
     asked_row_ = row_;
@@ -87,9 +89,11 @@ void ZoneCheck::group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& no
   }
   row_of.assign(axes_[at(axis)].size(), -1);
   std::vector<std::int32_t> row;
+  std::vector<std::int32_t> seconds;
   for (std::size_t i = 0; i < order_.size();) {
     const std::int32_t first = nodes[at(order_[i])][at(axis)];
-    row.clear();
+    row.assign(1, 0);
+    seconds.clear();
     while (i < order_.size() && nodes[at(order_[i])][at(axis)] == first) {
       const std::int32_t second = nodes[at(order_[i])][at(next(axis))];
       const std::size_t begin = i;
@@ -98,11 +102,32 @@ void ZoneCheck::group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& no
         if (node[at(axis)] != first || node[at(next(axis))] != second) break;
         sorted_[i] = node[at(next(next(axis)))];
       }
-      row.push_back(second);
+      seconds.push_back(second);
       row.push_back(columns_.intern(std::span(sorted_).subspan(begin, i - begin)));
     }
+    row.front() = seconds_.intern(seconds);
     row_of[at(first)] = rows_.intern(row);
   }
+}
+
+/// The pairs of two lists of vectors that are in a relation, found once for each pair of lists.
+template <typename Relation>
+const ZoneCheck::Pairs& ZoneCheck::related(std::int32_t one, std::int32_t other, const Relation& relation) {
+  const std::int32_t place = known_pairs_.get(one, other, [&] {
+    Pairs pairs;
+    const auto first = seconds_[one];
+    const auto second = seconds_[other];
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      for (std::size_t j = 0; j < second.size(); ++j) {
+        if (relation(at(first[i]), at(second[j]))) {
+          pairs.emplace_back(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
+        }
+      }
+    }
+    pairs_.push_back(std::move(pairs));
+    return static_cast<std::int32_t>(pairs_.size() - 1);
+  });
+  return pairs_[at(place)];
 }
 
 /// Whether two columns have nodes whose supports' interiors meet along the column.
@@ -115,21 +140,18 @@ bool ZoneCheck::interiors_meet(std::int32_t one, std::int32_t other, const ZoneA
   return false;
 }
 
-bool ZoneCheck::rows_compatible(Axis axis, std::int32_t one, std::int32_t other) const {
+bool ZoneCheck::rows_compatible(Axis axis, std::int32_t one, std::int32_t other) {
   const ZoneAxis& second = axes_[at(next(axis))];
   const ZoneAxis& third = axes_[at(next(next(axis)))];
   const auto first_row = rows_[one];
   const auto other_row = rows_[other];
-  for (std::size_t i = 0; i < first_row.size(); i += 2) {
-    if (!second.fails_anywhere(at(first_row[i]))) continue;
-    for (std::size_t j = 0; j < other_row.size(); j += 2) {
-      if (second.fails(at(first_row[i]), at(other_row[j])) &&
-          interiors_meet(first_row[i + 1], other_row[j + 1], third)) {
-        return false;
-      }
-    }
-  }
-  return true;
+  const Pairs& failing =
+      related(first_row[0], other_row[0], [&](std::size_t y, std::size_t w) { return second.fails(y, w); });
+  return std::none_of(failing.begin(), failing.end(), [&](const auto& pair) {
+    const std::int32_t column = first_row[at(pair.first) + 1];
+    const std::int32_t other_column = other_row[at(pair.second) + 1];
+    return known_meetings_.get(column, other_column, [&] { return interiors_meet(column, other_column, third); });
+  });
 }
 
 /// Whether no two nodes, the one asked, with supports that meet in positive volume fail to overlap along this axis and
@@ -138,6 +160,9 @@ bool ZoneCheck::compatible(Axis axis) {
   const ZoneAxis& first = axes_[at(axis)];
   const bool all = asked_.size() == nodes_.size();
   known_rows_.clear();
+  known_pairs_.clear();
+  known_meetings_.clear();
+  pairs_.clear();
   for (std::size_t x = 0; x < first.size(); ++x) {
     const std::int32_t one = asked_row_[x];
     if (one < 0 || !first.fails_anywhere(x)) continue;
@@ -165,17 +190,18 @@ bool ZoneCheck::dual_columns(std::int32_t one, std::int32_t other, bool same) {
 bool ZoneCheck::dual_rows(std::int32_t one, std::int32_t other, bool same) {
   const auto first_row = rows_[one];
   const auto other_row = rows_[other];
-  for (std::size_t i = 0; i < first_row.size(); i += 2) {
-    for (std::size_t j = 0; j < other_row.size(); j += 2) {
-      if (!axes_[1].nonzero((*stores_)[1], at(first_row[i]), at(other_row[j]))) continue;
-      const bool same_line = same && first_row[i] == other_row[j];
-      const std::int32_t column = first_row[i + 1];
-      const std::int32_t other_column = other_row[j + 1];
-      PairTable<bool>& known = same_line ? known_same_columns_ : known_columns_;
-      if (!known.get(column, other_column, [&] { return dual_columns(column, other_column, same_line); })) return false;
-    }
-  }
-  return true;
+  const auto seconds = seconds_[first_row[0]];
+  const auto other_seconds = seconds_[other_row[0]];
+  const Pairs& nonzero = related(first_row[0], other_row[0], [&](std::size_t y, std::size_t y_tilde) {
+    return axes_[1].nonzero((*stores_)[1], y, y_tilde);
+  });
+  return std::all_of(nonzero.begin(), nonzero.end(), [&](const auto& pair) {
+    const bool same_line = same && seconds[at(pair.first)] == other_seconds[at(pair.second)];
+    const std::int32_t column = first_row[at(pair.first) + 1];
+    const std::int32_t other_column = other_row[at(pair.second) + 1];
+    PairTable<bool>& known = same_line ? known_same_columns_ : known_columns_;
+    return known.get(column, other_column, [&] { return dual_columns(column, other_column, same_line); });
+  });
 }
 
 /// Whether lambda_v(B_w) = delta_vw for all v of some rows and w of others.
@@ -200,6 +226,8 @@ bool ZoneCheck::dual_basis() {
     }
   }
   for (auto* known : {&known_rows_, &known_columns_, &known_same_rows_, &known_same_columns_}) known->clear();
+  known_pairs_.clear();
+  pairs_.clear();
   if (!dual_pairs(asked_row_, row_)) return false;
   return asked_.size() == nodes_.size() || dual_pairs(row_, asked_row_);
 }
@@ -216,11 +244,12 @@ void ZoneCheck::paint(Axis axis) {
     if (row_[x] < 0 || !first.fails_anywhere(x)) continue;
     const auto row = rows_[row_[x]];
     plane.assign(second.line_count(), 0);
-    for (std::size_t i = 0; i < row.size(); i += 2) {
+    const auto seconds = seconds_[row[0]];
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
       std::uint64_t word = 0;
       for (const std::int32_t z : columns_[row[i + 1]]) word |= third.reached(at(z));
       word &= third.active();
-      for_each_bit(second.reached(at(row[i])) & second.active(), [&](std::size_t line) { plane[line] |= word; });
+      for_each_bit(second.reached(at(seconds[i])) & second.active(), [&](std::size_t line) { plane[line] |= word; });
     }
     const std::uint64_t entries = first.entries(x);
     for_each_bit(first.reached(x) & first.active(), [&](std::size_t line) {

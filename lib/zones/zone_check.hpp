@@ -78,11 +78,16 @@ class ZoneCheck {
   Proven decide();
 
  private:
+  /// Places in two lists of vectors along one axis.
+  using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+  template <typename Relation>
+  const Pairs& related(std::int32_t one, std::int32_t other, const Relation& relation);
   void group_by(Axis axis);
   void group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& nodes, std::vector<std::int32_t>& row_of);
   bool interiors_meet(std::int32_t one, std::int32_t other, const ZoneAxis& along) const;
   bool compatible(Axis axis);
-  bool rows_compatible(Axis axis, std::int32_t one, std::int32_t other) const;
+  bool rows_compatible(Axis axis, std::int32_t one, std::int32_t other);
   bool dual_basis();
   bool dual_pairs(const std::vector<std::int32_t>& row_of_v, const std::vector<std::int32_t>& row_of_w);
   bool dual_rows(std::int32_t one, std::int32_t other, bool same);
@@ -100,9 +105,13 @@ class ZoneCheck {
   std::vector<std::int32_t> order_;
   std::vector<std::int32_t> sorted_;
   std::vector<std::size_t> begin_;
-  ListTable columns_;              ///< nodes with the same vectors along two axes: their vectors along the third one
-  ListTable rows_;                 ///< nodes with the same vector along one axis: pairs of vector and column
-  std::vector<std::int32_t> row_;  ///< of each vector along the first axis, -1 where it has none
+  ListTable columns_;         ///< nodes with the same vectors along two axes: their vectors along the third one
+  ListTable rows_;            ///< nodes with the same vector along one axis: a list of vectors, then their columns
+  ListTable seconds_;         ///< these lists of vectors
+  std::vector<Pairs> pairs_;  ///< of lists of vectors, in a relation
+  PairTable<std::int32_t> known_pairs_;
+  PairTable<bool> known_meetings_;
+  std::vector<std::int32_t> row_;        ///< of each vector along the first axis, -1 where it has none
   std::vector<std::int32_t> asked_row_;  ///< the same of the asked nodes alone
   PairTable<bool> known_rows_;
   PairTable<bool> known_columns_;
