@@ -65,7 +65,7 @@ class Checker {
       report(input, 0, mesh);
       return;
     }
-    Replay replay(input.content);
+    Replay replay(input.content, options_.jobs);
     SequenceUnderTest sequence(replay, options_.jobs);
     if (!options_.final_only || replay.done()) report(input, replay, sequence);
     while (!replay.done()) {

@@ -34,7 +34,7 @@ const Proven& SequenceUnderTest::proven() {
 
 bool SequenceUnderTest::admissible() {
   if (!admissible_)
-    admissible_ = was_admissible_ ? stays_admissible(tree_, since_admissible_) : !find_inadmissible(tree_);
+    admissible_ = was_admissible_ ? stays_admissible(tree_, since_admissible_) : !find_inadmissible(tree_, jobs_);
   return *admissible_;
 }
 

@@ -6,24 +6,46 @@
 
 #include "lib/refine/node_table.hpp"
 #include "lib/refine/patch_search.hpp"
+#include "lib/threads/parallel_for.hpp"
 
 namespace asts {
 
-std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree) {
+namespace {
+
+/// The first element of those of one level that has a coarser one in its patch.
+std::optional<CoarserInPatch> first_of_level(PatchSearch& search, std::span<const std::int32_t> elements,
+                                             std::size_t level) {
+  std::optional<CoarserInPatch> result;
+  search.coarser_in_patches(elements, static_cast<std::int32_t>(level), [&](const PatchSearch::Coarser& coarser) {
+    result = CoarserInPatch{coarser.element(), coarser.leaf};
+    return false;
+  });
+  return result;
+}
+
+}  // namespace
+
+std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree, int jobs) {
   std::vector<std::vector<std::int32_t>> inner(at(tree.max_level()) + 1);
   for (std::int32_t id = 0; id < tree.node_count(); ++id) {
     const RefinementTree::Node& node = tree.node(id);
     if (node.level > 0 && !tree.is_leaf(id)) inner[at(node.level)].push_back(id);
   }
-  std::optional<CoarserInPatch> result;
-  PatchSearch search(tree);
-  for (std::size_t level = 1; level < inner.size() && !result; ++level) {
-    search.coarser_in_patches(inner[level], static_cast<std::int32_t>(level), [&](const PatchSearch::Coarser& coarser) {
-      result = CoarserInPatch{coarser.element(), coarser.leaf};
-      return false;
-    });
+  if (jobs == 1) {
+    PatchSearch search(tree);
+    for (std::size_t level = 1; level < inner.size(); ++level) {
+      if (const auto found = first_of_level(search, inner[level], level)) return found;
+    }
+    return std::nullopt;
   }
-  return result;
+  std::vector<std::optional<CoarserInPatch>> found(inner.size());
+  parallel_for(jobs, inner.size() - 1, [&](std::size_t i, int) {  // mostly the largest first
+    const std::size_t level = inner.size() - 1 - i;
+    PatchSearch search(tree);
+    found[level] = first_of_level(search, inner[level], level);
+  });
+  const auto first = std::find_if(found.begin(), found.end(), [](const auto& one) { return one.has_value(); });
+  return first == found.end() ? std::nullopt : *first;
 }
 
 bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::int32_t> leaves) {

@@ -28,8 +28,9 @@ struct CoarserInPatch {
 /// and shows in passing that every admissible mesh arises by level-increasing admissible subdivisions.
 ///
 /// Cost: see PatchSearch; every inner element is asked once.
-/// REQUIRES: no leaf is marked, ranks are up to date.
-std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree);
+/// Levels are asked by so many threads; the result does not depend on them.
+/// REQUIRES: no leaf is marked, ranks are up to date; jobs >= 1.
+std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree, int jobs = 1);
 
 /// Definition 3.1 for one step of a history: whether there is an order in which subdividing these distinct leaves one
 /// after the other is admissible each time.

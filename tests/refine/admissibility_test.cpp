@@ -72,8 +72,12 @@ TEST(Admissibility, CriterionAgreesWithTheLiteralGreedyRun) {
     const reference::Mesh mesh = boxes_of(tree);
     const auto reason = find_inadmissible(tree);
     EXPECT_EQ(!reason, reference::admissible_mesh(setting, mesh, reference::refinement_tree(setting, mesh)));
+    const auto by_threads = find_inadmissible(tree, 3);
+    EXPECT_EQ(by_threads.has_value(), reason.has_value());
     admissible += !reason;
     if (!reason) continue;
+    EXPECT_EQ(by_threads->element, reason->element);
+    EXPECT_EQ(by_threads->coarser, reason->coarser);
     EXPECT_FALSE(tree.is_leaf(reason->element));
     EXPECT_LT(tree.node(reason->coarser).level, tree.node(reason->element).level);
     EXPECT_TRUE(reference::closed_meets_open(literal::box(tree, reason->coarser),
@@ -81,6 +85,28 @@ TEST(Admissibility, CriterionAgreesWithTheLiteralGreedyRun) {
   }
   EXPECT_GT(admissible, 80);
   EXPECT_LT(admissible, 320);
+}
+
+// After each step of a sequence, as long as the mesh before was admissible.
+TEST(Admissibility, StaysOrNotByTheStepAlone) {
+  Draw draw(17);
+  int stays = 0;
+  int ends = 0;
+  for (int round = 0; round < 400; ++round) {
+    const CaseLimits limits{5, 4, 5, 70, 130, 7};
+    const Case content =
+        draw.one_in(3) ? random_admissible_case(draw, limits).content : random_bare_case(draw, limits).content;
+    SCOPED_TRACE(write_case(content));
+    Replay replay(content);
+    for (bool admissible = true; admissible && !replay.done();) {
+      replay.advance();
+      admissible = stays_admissible(replay.tree(), replay.subdivided());
+      EXPECT_EQ(admissible, !find_inadmissible(replay.tree()));
+      (admissible ? stays : ends) += 1;
+    }
+  }
+  EXPECT_GT(stays, 500);
+  EXPECT_GT(ends, 50);
 }
 
 // The same against the search through all orders, which shares no argument with the criterion: few subdivisions of few
