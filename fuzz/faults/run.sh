@@ -25,7 +25,7 @@ exec 9>"$work/lock"
 flock 9
 tree=$(cd -P "$work/tree" && pwd)
 build=$tree/build/release
-programs=(exact mesh refine spline gen properties minimize cli reports reference fuzz)
+programs=(exact threads mesh refine spline zones gen properties minimize cli reports reference fuzz)
 
 # The copy gets a new time stamp only where it differs, so that as little as possible is built.
 copy_tree() {
