@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -10,8 +12,8 @@
 
 namespace asts {
 
-/// A vector of plain values that grows by realloc: the system moves the pages of a large array to a new address
-/// instead of copying what is on them, which std::vector cannot ask for. Throws std::bad_alloc.
+/// A vector of plain values for arrays that get large and are read all over: from 8 MB on it asks the system for large
+/// pages. Throws std::bad_alloc.
 template <typename T>
 class NodeArray {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -43,13 +45,32 @@ class NodeArray {
 
   void reserve(std::size_t capacity) {
     if (capacity <= capacity_) return;
-    void* data = std::realloc(static_cast<void*>(data_), capacity * sizeof(T));
-    if (data == nullptr) throw std::bad_alloc();
-    data_ = static_cast<T*>(data);
+    if (capacity * sizeof(T) >= kLarge) {
+      move_to_large_pages(capacity);
+    } else {
+      void* data = std::realloc(static_cast<void*>(data_), capacity * sizeof(T));
+      if (data == nullptr) throw std::bad_alloc();
+      data_ = static_cast<T*>(data);
+    }
     capacity_ = capacity;
   }
 
  private:
+  static constexpr std::size_t kPage = std::size_t{1} << 21;
+  static constexpr std::size_t kLarge = 4 * kPage;
+
+  /// Pages of 2 MB where the system has them: a search through a large tree misses the table of small ones at every
+  /// step.
+  void move_to_large_pages(std::size_t capacity) {
+    const std::size_t bytes = (capacity * sizeof(T) + kPage - 1) / kPage * kPage;
+    void* data = std::aligned_alloc(kPage, bytes);
+    if (data == nullptr) throw std::bad_alloc();
+    madvise(data, bytes, MADV_HUGEPAGE);  // advice: it may fail
+    if (size_ > 0) std::memcpy(data, data_, size_ * sizeof(T));
+    std::free(data_);
+    data_ = static_cast<T*>(data);
+  }
+
   void swap(NodeArray& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
