@@ -1,6 +1,7 @@
 #include "lib/refine/admissibility.hpp"
 #include "properties/describe.hpp"
 #include "properties/properties.hpp"
+#include "properties/sequence_under_test.hpp"
 
 namespace asts {
 
@@ -14,6 +15,11 @@ Verdict decide_admissible(MeshUnderTest& mesh) {
   return Verdict::violated(CoarserInPatchWitness{describe_tree_element(tree, found->element),
                                                  describe_environment(tree, found->element),
                                                  describe_tree_element(tree, found->coarser)});
+}
+
+std::optional<Verdict> admissible_in_sequence(SequenceUnderTest& sequence) {
+  if (!sequence.admissible()) return std::nullopt;
+  return Verdict::holds();
 }
 
 }  // namespace asts

@@ -1,6 +1,7 @@
 #include "lib/spline/dual_compatibility.hpp"
 #include "properties/describe.hpp"
 #include "properties/properties.hpp"
+#include "properties/sequence_under_test.hpp"
 #include "properties/splines_needed.hpp"
 
 namespace asts {
@@ -29,6 +30,10 @@ Verdict decide_dual_compatible(MeshUnderTest& mesh) {
   return Verdict::violated(NoPartialOverlapWitness{describe_node(mesh.mesh(), mesh.splines(), pair->v),
                                                    describe_node(mesh.mesh(), mesh.splines(), pair->w),
                                                    missing_overlaps(mesh.mesh(), mesh.splines(), *pair)});
+}
+
+std::optional<Verdict> dual_compatible_in_sequence(SequenceUnderTest& sequence) {
+  return sequence.decide_proven(&Proven::dual_compatible);
 }
 
 }  // namespace asts

@@ -3,6 +3,7 @@
 #include "lib/exact/errors.hpp"
 #include "properties/describe.hpp"
 #include "properties/properties.hpp"
+#include "properties/sequence_under_test.hpp"
 
 namespace asts {
 
@@ -56,6 +57,14 @@ Verdict decide_nested_patches(MeshUnderTest& mesh) {
                                                        describe_element(mesh.mesh(), *element)});
       }
     }
+  }
+  return Verdict::holds();
+}
+
+/// The environments of an element and its child have the same extent along two axes.
+std::optional<Verdict> nested_patches_in_sequence(SequenceUnderTest& sequence) {
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    if (!sequence.tree().grid(axis).windows_nested()) return std::nullopt;
   }
   return Verdict::holds();
 }

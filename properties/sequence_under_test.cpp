@@ -46,26 +46,15 @@ std::int64_t SequenceUnderTest::active_nodes() {
   return mesh().splines().size();
 }
 
-Verdict SequenceUnderTest::decide(const Property& property) {
-  if (property.decide == decide_admissible && admissible()) return Verdict::holds();
-  if (property.decide == decide_nested_patches) {
-    bool nested = true;
-    for (Axis axis = 0; axis < kDimension; ++axis) nested = nested && tree_.grid(axis).windows_nested();
-    if (nested) return Verdict::holds();
-  }
-  if (proves(property)) {
-    if (zones_.active_nodes() == 0) return without_active_nodes(active_region_is_empty(tree_));
-    return Verdict::holds();
-  }
-  return asts::decide(property, mesh());
+std::optional<Verdict> SequenceUnderTest::decide_proven(bool Proven::*property) {
+  if (!(proven().*property)) return std::nullopt;
+  if (zones_.active_nodes() == 0) return without_active_nodes(active_region_is_empty(tree_));
+  return Verdict::holds();
 }
 
-/// Whether a property of splines is proven.
-bool SequenceUnderTest::proves(const Property& property) {
-  if (property.decide == decide_analysis_suitable) return proven().analysis_suitable;
-  if (property.decide == decide_dual_compatible) return proven().dual_compatible;
-  if (property.decide == decide_dual_basis) return proven().dual_basis;
-  return false;
+Verdict SequenceUnderTest::decide(const Property& property) {
+  const auto known = property.decide_in_sequence(*this);
+  return known ? *known : asts::decide(property, mesh());
 }
 
 }  // namespace asts

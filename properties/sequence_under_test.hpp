@@ -28,18 +28,23 @@ class SequenceUnderTest {
   /// To be called after each step of the replay.
   void after_step();
 
-  /// As decide(property, mesh()).
+  /// As decide(property, mesh()). Cost: where the property holds, linear in the elements the first time, later in what
+  /// the steps since the last time changed; where it does not, that of the whole mesh.
   Verdict decide(const Property& property);
-  /// The number of active nodes.
+  /// The number of active nodes. Cost: as that of a property of splines.
   std::int64_t active_nodes();
 
-  /// The mesh at hand in full, made when first asked for after a step.
+  /// The mesh at hand in full, made when first asked for after a step. Cost: linear in the elements.
   MeshUnderTest& mesh();
+
+  const RefinementTree& tree() const { return tree_; }
+  /// Definition 3.2.
+  bool admissible();
+  /// The verdict on a property of splines, if it is proven of the mesh at hand.
+  std::optional<Verdict> decide_proven(bool Proven::*property);
 
  private:
   const Proven& proven();
-  bool admissible();
-  bool proves(const Property& property);
 
   const Replay& replay_;
   const RefinementTree& tree_;

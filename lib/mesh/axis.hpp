@@ -12,6 +12,9 @@ inline constexpr int kDimension = 3;
 /// An axis: 0 for x, 1 for y, 2 for z.
 using Axis = int;
 
+/// The next axis, in a circle.
+constexpr Axis axis_after(Axis axis) { return (axis + 1) % kDimension; }
+
 /// One value for each axis.
 template <typename T>
 using PerAxis = std::array<T, kDimension>;

@@ -20,7 +20,7 @@ namespace asts {
 /// exists so that a search can leave out many elements at once.
 ///
 /// Laws: (1) the leaves tile the domain; (2) an element of level k was split along axis k mod 3 only; (3) node 0 covers
-/// the domain; (4) the children of a node are contiguous, in the order of their coordinates.
+/// the domain; (4) the children of a node are contiguous, in the order of their coordinates; (5) they come after it.
 /// Bounds: fewer than 2^31 nodes (ResourceError); no bound on the level.
 class RefinementTree {
  public:

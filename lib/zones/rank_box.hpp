@@ -52,10 +52,10 @@ inline RankBox hull(RankBox one, const RankBox& other) {
 
 /// How much is worked on at a time. Results do not depend on it.
 struct ZoneLimits {
-  std::int32_t elements =
-      4096;  ///< of a new zone at most; one that has grown is divided when it has twice as many nodes
-  std::size_t lines =
-      64;  ///< of a zone's window, and of a box in which violations are looked for, along one axis; at most 64
+  /// Of a new zone at most; one that has grown is divided when it has twice as many nodes.
+  std::int32_t elements = 4096;
+  /// Of a zone's window, and of a box in which violations are looked for, along one axis; from 3 to 64.
+  std::size_t lines = 64;
 };
 
 }  // namespace asts

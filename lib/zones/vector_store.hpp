@@ -29,6 +29,8 @@ class VectorStore {
   };
 
   explicit VectorStore(int degree) : vectors_(degree) {}
+  VectorStore(VectorStore&&) = default;  // no copies: patterns_ points into known_
+  VectorStore& operator=(VectorStore&&) = default;
 
   /// The identifier of a vector. Cost: constant on average. REQUIRES: the lines are those of one grid always.
   std::int32_t intern(const AxisGrid& grid, std::span<const std::int32_t> lines);

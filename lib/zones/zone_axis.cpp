@@ -1,7 +1,5 @@
 #include "lib/zones/zone_axis.hpp"
 
-#include <bit>
-
 #include "lib/exact/errors.hpp"
 
 namespace asts {
@@ -57,9 +55,6 @@ bool ZoneAxis::find_failures() {
   if (none) return false;
   having_.reset(ranks_.size(), ids_.size());
   lacking_.reset(ranks_.size(), ids_.size());
-  const auto for_each_bit = [](std::uint64_t bits, const auto& visit) {
-    for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
-  };
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const Vector& vector = vectors_[i];
     for_each_bit(vector.entries, [&](std::size_t line) { having_.set(line, i); });

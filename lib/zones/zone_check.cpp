@@ -1,20 +1,13 @@
 #include "lib/zones/zone_check.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 namespace asts {
 
 namespace {
 
-constexpr Axis next(Axis axis) { return (axis + 1) % kDimension; }
 constexpr std::size_t kLines = ZoneAxis::kMostLines;
-
-template <typename Visit>
-void for_each_bit(std::uint64_t bits, const Visit& visit) {
-  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
-}
 
 }  // namespace
 
@@ -48,7 +41,7 @@ Proven ZoneCheck::decide() {
     axes_[at(axis)].forget_factors();
   }
   for (Axis axis = kDimension - 1; axis >= 0; --axis) {
-    const bool pairs = irregular_[at(axis)] && irregular_[at(next(axis))];
+    const bool pairs = irregular_[at(axis)] && irregular_[at(axis_after(axis))];
     const bool painted = irregular_[at(axis)] && irregular > 1;
     if (axis == 0 || pairs || painted) group_by(axis);
     if (pairs) proven.dual_compatible = proven.dual_compatible && compatible(axis);
@@ -56,7 +49,8 @@ Proven ZoneCheck::decide() {
   }
   proven.dual_basis = dual_basis();  // with the groups of axis 0
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    if (irregular_[at(axis)] && irregular_[at(next(axis))] && regions_meet(axis)) proven.analysis_suitable = false;
+    if (irregular_[at(axis)] && irregular_[at(axis_after(axis))] && regions_meet(axis))
+      proven.analysis_suitable = false;
   }
   return proven;
 }
@@ -79,7 +73,7 @@ void ZoneCheck::group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& no
                          std::vector<std::int32_t>& row_of) {
   order_.resize(nodes.size());
   std::iota(order_.begin(), order_.end(), 0);
-  for (const Axis by : {next(next(axis)), next(axis), axis}) {
+  for (const Axis by : {axis_after(axis_after(axis)), axis_after(axis), axis}) {
     begin_.assign(axes_[at(by)].size() + 1, 0);
     for (const auto& node : nodes) ++begin_[at(node[at(by)]) + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
@@ -95,12 +89,12 @@ void ZoneCheck::group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& no
     row.assign(1, 0);
     seconds.clear();
     while (i < order_.size() && nodes[at(order_[i])][at(axis)] == first) {
-      const std::int32_t second = nodes[at(order_[i])][at(next(axis))];
+      const std::int32_t second = nodes[at(order_[i])][at(axis_after(axis))];
       const std::size_t begin = i;
       for (; i < order_.size(); ++i) {
         const PerAxis<std::int32_t>& node = nodes[at(order_[i])];
-        if (node[at(axis)] != first || node[at(next(axis))] != second) break;
-        sorted_[i] = node[at(next(next(axis)))];
+        if (node[at(axis)] != first || node[at(axis_after(axis))] != second) break;
+        sorted_[i] = node[at(axis_after(axis_after(axis)))];
       }
       seconds.push_back(second);
       row.push_back(columns_.intern(std::span(sorted_).subspan(begin, i - begin)));
@@ -141,8 +135,8 @@ bool ZoneCheck::interiors_meet(std::int32_t one, std::int32_t other, const ZoneA
 }
 
 bool ZoneCheck::rows_compatible(Axis axis, std::int32_t one, std::int32_t other) {
-  const ZoneAxis& second = axes_[at(next(axis))];
-  const ZoneAxis& third = axes_[at(next(next(axis)))];
+  const ZoneAxis& second = axes_[at(axis_after(axis))];
+  const ZoneAxis& third = axes_[at(axis_after(axis_after(axis)))];
   const auto first_row = rows_[one];
   const auto other_row = rows_[other];
   const Pairs& failing =
@@ -235,8 +229,8 @@ bool ZoneCheck::dual_basis() {
 /// R_a (Definition 5.1) at the points of the box on lines of all axes.
 void ZoneCheck::paint(Axis axis) {
   const ZoneAxis& first = axes_[at(axis)];
-  const ZoneAxis& second = axes_[at(next(axis))];
-  const ZoneAxis& third = axes_[at(next(next(axis)))];
+  const ZoneAxis& second = axes_[at(axis_after(axis))];
+  const ZoneAxis& third = axes_[at(axis_after(axis_after(axis)))];
   having_.assign(first.line_count() * kLines, 0);
   lacking_.assign(having_.size(), 0);
   std::vector<std::uint64_t> plane;
@@ -265,7 +259,7 @@ void ZoneCheck::paint(Axis axis) {
 /// Whether the regions of this axis and the next one have a common point.
 bool ZoneCheck::regions_meet(Axis axis) const {
   const std::vector<std::uint64_t>& one = regions_[at(axis)];
-  const std::vector<std::uint64_t>& other = regions_[at(next(axis))];
+  const std::vector<std::uint64_t>& other = regions_[at(axis_after(axis))];
   for (std::size_t i = 0; i < one.size(); ++i) {
     const std::size_t first = i / kLines;
     const std::size_t second = i % kLines;

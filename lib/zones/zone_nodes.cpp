@@ -3,14 +3,9 @@
 #include <bit>
 
 #include "lib/exact/errors.hpp"
+#include "lib/zones/bits.hpp"
 
 namespace asts {
-
-namespace {
-
-constexpr Axis next(Axis axis) { return (axis + 1) % kDimension; }
-
-}  // namespace
 
 std::size_t ZoneScanner::WordTable::slot_of(std::uint64_t word) const {
   const std::size_t mask = slots.size() - 1;
@@ -132,13 +127,13 @@ std::uint64_t ZoneScanner::bit(Axis axis, std::int32_t rank) const {
 
 /// The place of the word of a line parallel to an axis, by the numbers of lines of the next axis and the one after it.
 std::size_t ZoneScanner::place(Axis across, std::int32_t one, std::int32_t other) const {
-  const Lines& second = lines_[at(next(next(across)))];
-  return at(one - lines_[at(next(across))].first) * second.own() + at(other - second.first);
+  const Lines& second = lines_[at(axis_after(axis_after(across)))];
+  return at(one - lines_[at(axis_after(across))].first) * second.own() + at(other - second.first);
 }
 
 void ZoneScanner::add_entries(Axis axis, const std::vector<RankBox>& leaves) {
-  const Axis one = next(axis);
-  const Axis other = next(one);
+  const Axis one = axis_after(axis);
+  const Axis other = axis_after(one);
   std::vector<std::uint64_t>& words = entries_[at(axis)];
   for (const RankBox& leaf : leaves) {
     const std::uint64_t bits = bit(axis, leaf[axis].lower) | bit(axis, leaf[axis].upper);
@@ -195,20 +190,19 @@ void ZoneScanner::collect(ZoneNodes& result) {
   };
   for (std::int32_t y = lines_[1].first; y <= lines_[1].last; ++y) {
     for (std::int32_t z = lines_[2].first; z <= lines_[2].last; ++z) {
-      for (std::uint64_t rest = vertices_[place(0, y, z)]; rest != 0; rest &= rest - 1) {
-        const std::int32_t x = std::countr_zero(rest);
+      for_each_bit(vertices_[place(0, y, z)], [&](std::size_t bit) {
+        const auto x = static_cast<std::int32_t>(bit);
         result.nodes.push_back(
             {number(0, place(0, y, z), x), number(1, place(1, z, x), y), number(2, place(2, x, y), z)});
-      }
+      });
     }
   }
   for (Axis axis = 0; axis < kDimension; ++axis) {
     ensure(known_[at(axis)].words.size() <= std::numeric_limits<std::uint16_t>::max(), "a zone has few index vectors");
     for (const std::uint64_t word : known_[at(axis)].words) {
-      for (std::uint64_t rest = word; rest != 0; rest &= rest - 1) {
-        const std::int32_t rank = lines_[at(axis)].rank[static_cast<std::size_t>(std::countr_zero(rest))];
-        result.vectors[at(axis)].push_back(tree_->grid(axis).line_of_rank(rank));
-      }
+      for_each_bit(word, [&](std::size_t bit) {
+        result.vectors[at(axis)].push_back(tree_->grid(axis).line_of_rank(lines_[at(axis)].rank[bit]));
+      });
     }
   }
 }
@@ -237,7 +231,7 @@ bool ZoneScanner::scan(std::int32_t zone, ZoneNodes& result, const PerAxis<bool>
   }
   for (Axis axis = 0; axis < kDimension; ++axis) {
     if (!asked_[at(axis)]) continue;
-    entries_[at(axis)].assign(lines_[at(next(axis))].own() * lines_[at(next(next(axis)))].own(), 0);
+    entries_[at(axis)].assign(lines_[at(axis_after(axis))].own() * lines_[at(axis_after(axis_after(axis)))].own(), 0);
     add_entries(axis, core_);
     add_entries(axis, slabs_[at(axis)]);
   }

@@ -20,7 +20,7 @@ std::optional<std::int64_t> size_of(const RankBox& box) {
 
 bool worth_merging(const RankBox& one, const RankBox& other) {
   const auto both = size_of(hull(one, other));
-  return both && *both <= *size_of(one) + *size_of(other);
+  return both && *both - *size_of(one) <= *size_of(other);  // no box is larger than the hull
 }
 
 /// Boxes that overlap so much that their hull is no larger than the two become one.

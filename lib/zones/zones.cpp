@@ -97,6 +97,7 @@ void Zones::rebuild(int jobs) {
     fits[i] = scanners[static_cast<std::size_t>(worker)].scan(subtrees[i], found[i]) ? 1 : 0;
   });
   zones_.clear();
+  changed_.clear();
   for (std::size_t i = 0; i < subtrees.size(); ++i) {
     if (fits[i] != 0) {
       zones_.push_back(zone_of(subtrees[i], found[i]));

@@ -135,6 +135,23 @@ TEST(CheckCommand, IsTheSameByteByByteInEveryRunAndFolder) {
   }
 }
 
+// The bytes do not depend on the number of threads: meshes that hold and one that is violated.
+TEST(CheckCommand, PrintsTheSameBytesForAnyNumberOfJobs) {
+  const TemporaryFolder folder;
+  const std::string sphere =
+      folder.write("sphere.case", run({"generate", "sphere", "--domain", "8,8,8", "--elements", "10000"}).out);
+  const std::string violated = case_path("../../reports/findings/as-implies-dc.case");
+  const Outcome expected = run({"check", "--format", "json", sphere, violated});
+  EXPECT_EQ(expected.exit_code, 1);
+  for (const char* jobs : {"1", "2", "3"}) {
+    const Outcome outcome = run({"check", "--format", "json", "--jobs", jobs, sphere, violated});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, expected.out);
+  }
+  EXPECT_EQ(run({"check", sphere, "--jobs", "0"}).exit_code, 2);
+  EXPECT_EQ(run({"check", sphere, "--jobs", "257"}).exit_code, 2);
+}
+
 // Checks every mesh of 100000 steps, which takes minutes, and interrupts as soon as there is something on stdout.
 TEST(CheckCommand, WritesWholeLinesOnlyWhenInterrupted) {
   const TemporaryFolder folder;

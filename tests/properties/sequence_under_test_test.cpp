@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <map>
 
-#include "lib/gen/case_stream.hpp"
 #include "lib/gen/workloads.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "reports/check_report.hpp"
+#include "tests/step_cases.hpp"
 
 namespace asts {
 namespace {
@@ -48,18 +47,11 @@ void compare(const Case& content, int jobs, const ZoneLimits& limits, std::size_
   }
 }
 
-/// A random case of steps; nothing when the stream has an explicit mesh at this number.
-std::optional<Case> steps_of(std::int64_t number) {
-  Case content = make_case(plan_case(41, number)).content;
-  if (content.explicit_mesh) return std::nullopt;
-  return content;
-}
-
 TEST(SequenceUnderTest, DecidesEachMeshAsItIsDecidedAlone) {
   constexpr ZoneLimits kLimits[] = {{1, 64}, {5, 64}, {40, 64}, {4096, 64}, {10, 12}, {300, 9}};
   Tally tally;
   for (std::int64_t number = 0; number < 2500 && !HasFatalFailure(); ++number) {
-    const auto content = steps_of(number);
+    const auto content = testing::random_steps(number);
     if (!content) continue;
     const auto turn = static_cast<std::size_t>(number);
     compare(*content, 1 + static_cast<int>(turn % 3 == 0), kLimits[turn % std::size(kLimits)], 1 + turn % 4 / 3, tally);
@@ -73,19 +65,9 @@ TEST(SequenceUnderTest, DecidesEachMeshAsItIsDecidedAlone) {
   }
 }
 
-/// What was found to violate claims, and the smallest such cases: every verdict of the properties is among them.
 TEST(SequenceUnderTest, DecidesTheFindingsAsTheyAreDecidedAlone) {
-  namespace fs = std::filesystem;
-  const fs::path reports = fs::path(ASTS_CASES) / ".." / ".." / "reports";
   Tally tally;
-  for (const char* folder : {"findings", "collection"}) {
-    for (const auto& entry : fs::directory_iterator(reports / folder)) {
-      if (entry.path().extension() != ".case" || fs::file_size(entry.path()) > 10'000) continue;
-      const Case content = read_case_file(entry.path().string());
-      if (content.explicit_mesh || content.steps.size() > 100) continue;
-      compare(content, 1, {5, 64}, 1, tally);
-    }
-  }
+  for (const Case& content : testing::found_steps()) compare(content, 1, {5, 64}, 1, tally);
   EXPECT_GT(tally.outcomes["dual-compatible violated"], 5);
   EXPECT_GT(tally.outcomes["analysis-suitable violated"], 0);
 }

@@ -3,9 +3,9 @@
 #include <map>
 #include <random>
 
+#include "lib/zones/bits.hpp"
 #include "lib/zones/box_tree.hpp"
 #include "lib/zones/list_table.hpp"
-#include "lib/zones/zone_axis.hpp"
 
 namespace asts {
 namespace {

@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <map>
 
-#include "lib/gen/case_stream.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "lib/refine/replay.hpp"
-#include "lib/zones/zone_axis.hpp"
 #include "lib/zones/zone_check.hpp"
 #include "properties/properties.hpp"
+#include "tests/step_cases.hpp"
 
 namespace asts {
 namespace {
@@ -43,18 +41,11 @@ void compare_proofs(const Case& content, const ZoneLimits& limits, Tally& tally)
   }
 }
 
-/// A random case of steps; nothing when the stream has an explicit mesh at this number.
-std::optional<Case> steps_of(std::int64_t number) {
-  Case content = make_case(plan_case(41, number)).content;
-  if (content.explicit_mesh) return std::nullopt;
-  return content;
-}
-
 TEST(ZonedMesh, ProvesExactlyWhatHolds) {
   constexpr ZoneLimits kLimits[] = {{1, 64}, {7, 64}, {60, 64}, {4096, 64}};
   Tally tally;
   for (std::int64_t number = 3000; number < 4500 && !HasFailure(); ++number) {
-    const auto content = steps_of(number);
+    const auto content = testing::random_steps(number);
     if (content) compare_proofs(*content, kLimits[number % 4], tally);
   }
   EXPECT_GT(tally.meshes, 2000);
@@ -62,19 +53,9 @@ TEST(ZonedMesh, ProvesExactlyWhatHolds) {
   EXPECT_GT(tally.outcomes["nothing proven"], 50);
 }
 
-/// What was found to violate claims, and the smallest such cases: every verdict of the properties is among them.
 TEST(ZonedMesh, ProvesExactlyWhatHoldsOfTheFindings) {
-  namespace fs = std::filesystem;
-  const fs::path reports = fs::path(ASTS_CASES) / ".." / ".." / "reports";
   Tally tally;
-  for (const char* folder : {"findings", "collection"}) {
-    for (const auto& entry : fs::directory_iterator(reports / folder)) {
-      if (entry.path().extension() != ".case" || fs::file_size(entry.path()) > 10'000) continue;
-      const Case content = read_case_file(entry.path().string());
-      if (content.explicit_mesh || content.steps.size() > 100) continue;
-      compare_proofs(content, {5, 64}, tally);
-    }
-  }
+  for (const Case& content : testing::found_steps()) compare_proofs(content, {5, 64}, tally);
   EXPECT_GT(tally.outcomes["compatible but not suitable"], 0);
   EXPECT_GT(tally.outcomes["suitable but not compatible"], 0);
 }

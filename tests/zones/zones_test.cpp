@@ -104,6 +104,40 @@ TEST(Zones, AreTheSameByAnyNumberOfThreads) {
   EXPECT_EQ(of_zones(one), of_zones(three));
 }
 
+/// Many zones with changed nodes, then fewer zones from scratch: none of these is changed.
+TEST(Zones, ForgetWhatChangedWhenTheyAreFoundAnew) {
+  Case content;
+  content.domain = {12, 8, 8};
+  content.steps.assign(6, {});
+  for (int i = 0; i < 6; ++i) {
+    for (int x = 2; x < 10; ++x) {
+      content.steps[at(i)].kind = Step::Kind::refine;
+      content.steps[at(i)].marks.push_back({CompactRational(x), CompactRational(2 + i % 4), CompactRational(3)});
+    }
+  }
+  Replay replay(content);
+  Zones zones(replay.tree(), {200, 64});
+  zones.rebuild(1);
+  const auto changed = [&] {
+    return std::count_if(zones.list().begin(), zones.list().end(), [](const Zone& zone) {
+      return std::find(zone.changed.begin(), zone.changed.end(), true) != zone.changed.end();
+    });
+  };
+  for (int i = 0; i < 5; ++i) {
+    replay.advance();
+    zones.update(replay.subdivided());
+    EXPECT_GT(changed(), 4);
+  }
+  const std::size_t many = zones.list().size();
+  zones.rebuild(1);
+  EXPECT_LT(zones.list().size(), many);
+  EXPECT_EQ(changed(), 0);
+  EXPECT_TRUE(zones.update({}).empty());
+  replay.advance();
+  EXPECT_FALSE(zones.update(replay.subdivided()).empty());
+  EXPECT_EQ(of_zones(zones), of_mesh(replay.tree()));
+}
+
 /// The boxes that update() returns contain the supports of all nodes that the mesh before did not have like this.
 TEST(Zones, NameBoxesAroundWhatChanged) {
   Case content = generate_workload(Workload::sphere, {{3, 3, 3}, 2, {8, 8, 8}}, 3000);
