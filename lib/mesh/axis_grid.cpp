@@ -63,9 +63,9 @@ void AxisGrid::split(std::int32_t cell) {
 }
 
 std::int32_t AxisGrid::children(std::int32_t cell) {
+  if (has_children(cell)) return cells_[at(cell)].first_child;
   split(cell);
   const std::int32_t first = cells_[at(cell)].first_child;
-  if (is_block(cell) || cells_[at(first)].window_lower_line != kNone) return first;
   for (std::int32_t child = first; child < first + grading_; ++child) {
     const std::int32_t lower = window_line(child, -1);
     const std::int32_t upper = window_line(child, +1);

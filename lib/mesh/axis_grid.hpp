@@ -51,6 +51,13 @@ class AxisGrid {
   /// The same, but kNone where there are none yet.
   std::int32_t known_children(std::int32_t cell) const { return cells_[at(cell)].first_child; }
 
+  /// Whether children() would make nothing.
+  bool has_children(std::int32_t cell) const {
+    const std::int32_t first = cells_[at(cell)].first_child;
+    return first != kNone && (is_block(cell) || cells_[at(first)].window_lower_line != kNone);
+  }
+  std::int32_t cell_count() const { return static_cast<std::int32_t>(cells_.size()); }
+
   /// Ranks of a cell's ends and of its window's ends. REQUIRES: update_ranks() since the last call of children().
   RankInterval extent(std::int32_t cell) const { return extent_[at(cell)]; }
   RankInterval window(std::int32_t cell) const { return window_[at(cell)]; }

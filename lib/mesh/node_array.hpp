@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -30,7 +31,7 @@ class NodeArray {
     swap(other);
     return *this;
   }
-  ~NodeArray() { std::free(data_); }
+  ~NodeArray() { release(); }
 
   std::size_t size() const { return size_; }
   std::size_t capacity() const { return capacity_; }
@@ -42,6 +43,9 @@ class NodeArray {
     if (size_ == capacity_) reserve(std::max<std::size_t>(16, 2 * capacity_));
     data_[size_++] = copy;
   }
+
+  /// New values are not set. REQUIRES: size <= capacity().
+  void resize_unset(std::size_t size) { size_ = size; }
 
   void reserve(std::size_t capacity) {
     if (capacity <= capacity_) return;
@@ -60,26 +64,54 @@ class NodeArray {
   static constexpr std::size_t kLarge = 4 * kPage;
 
   /// Pages of 2 MB where the system has them: a search through a large tree misses the table of small ones at every
-  /// step.
+  /// step. To grow, pages are moved, not what is in them.
   void move_to_large_pages(std::size_t capacity) {
     const std::size_t bytes = (capacity * sizeof(T) + kPage - 1) / kPage * kPage;
-    void* data = std::aligned_alloc(kPage, bytes);
-    if (data == nullptr) throw std::bad_alloc();
+    void* const place = aligned_range(bytes);
+    const int fixed = MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED;
+    void* const data = pages_ > 0 ? mremap(data_, pages_, bytes, MREMAP_MAYMOVE | MREMAP_FIXED, place)
+                                  : mmap(place, bytes, PROT_READ | PROT_WRITE, fixed, -1, 0);
+    if (data == MAP_FAILED) {
+      munmap(place, bytes);
+      throw std::bad_alloc();
+    }
     madvise(data, bytes, MADV_HUGEPAGE);  // advice: it may fail
-    if (size_ > 0) std::memcpy(data, data_, size_ * sizeof(T));
-    std::free(data_);
+    if (pages_ == 0 && size_ > 0) std::memcpy(data, data_, size_ * sizeof(T));
+    if (pages_ == 0) std::free(data_);
     data_ = static_cast<T*>(data);
+    pages_ = bytes;
+  }
+
+  /// A range of addresses that begins where a large page may, without memory.
+  static void* aligned_range(std::size_t bytes) {
+    void* const range = mmap(nullptr, bytes + kPage, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (range == MAP_FAILED) throw std::bad_alloc();
+    const std::size_t before = (kPage - reinterpret_cast<std::uintptr_t>(range) % kPage) % kPage;
+    char* const place = static_cast<char*>(range) + before;
+    if (before > 0) munmap(range, before);
+    munmap(place + bytes, kPage - before);
+    return place;
+  }
+
+  void release() {
+    if (pages_ > 0) {
+      munmap(data_, pages_);
+    } else {
+      std::free(data_);
+    }
   }
 
   void swap(NodeArray& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
+    std::swap(pages_, other.pages_);
   }
 
   T* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;
+  std::size_t pages_ = 0;  ///< bytes of pages that are this array's own; 0: it comes from malloc
 };
 
 }  // namespace asts

@@ -59,14 +59,9 @@ RefinementTree::RefinementTree(const Setting& setting) : setting_(setting) {
   initial_nodes_ = node_count();
 }
 
-Axis RefinementTree::split_axis(std::int32_t id) const {
-  const Node& n = node(id);
-  return n.level < 0 ? longest_block_axis(n) : static_cast<Axis>(n.level % kDimension);
-}
-
-Axis RefinementTree::longest_block_axis(const Node& block) const {
+Axis RefinementTree::longest_block_axis(std::int32_t block) const {
   Axis longest = 0;
-  const auto units = [&](Axis axis) { return grid(axis).units_in(block.cell[at(axis)]); };
+  const auto units = [&](Axis axis) { return grid(axis).units_in(cell(block, axis)); };
   for (Axis axis = 1; axis < kDimension; ++axis) {
     if (units(axis) > units(longest)) longest = axis;
   }
@@ -88,7 +83,7 @@ void RefinementTree::build_blocks() {
   push_node({root, kNone, kNone, block_level(root), 0});
   for (std::int32_t id = 0; id < node_count(); ++id) {
     if (node(id).level < 0) {
-      add_children(id, split_axis(id), 2);
+      halve(id);
       continue;
     }
     std::size_t index = 0;
@@ -99,21 +94,16 @@ void RefinementTree::build_blocks() {
   }
 }
 
-void RefinementTree::add_children(std::int32_t id, Axis axis, std::int32_t count) {
-  if (places_.size() + at(count) > at(std::numeric_limits<std::int32_t>::max())) {
-    throw ResourceError("the refinement tree has 2^31 nodes");
-  }
-  const auto split = at(axis);
-  Node child = node(id);
-  const std::int32_t first_cell = grids_[split].children(child.cell[split]);
-  places_[at(id)].first_child = node_count();
-  child.parent = id;
-  child.first_child = kNone;
-  for (std::int32_t j = 0; j < count; ++j) {
-    child.cell[split] = first_cell + j;
-    child.level = node(id).level < 0 ? block_level(child.cell) : node(id).level + 1;
-    child.coarsest = std::max(child.level, 0);
-    push_node(child);
+void RefinementTree::halve(std::int32_t block) {
+  const auto split = at(split_axis(block));
+  Node half = node(block);
+  half.cell[split] = grids_[split].children(half.cell[split]);
+  places_[at(block)].first_child = node_count();
+  half.parent = block;
+  half.first_child = kNone;
+  for (int i = 0; i < 2; ++i, ++half.cell[split]) {
+    half.level = block_level(half.cell);
+    push_node(half);
   }
 }
 
@@ -154,25 +144,6 @@ std::int32_t RefinementTree::leaf_at(const Point& point) const {
     wide_denominator[axis] = boost::multiprecision::denominator(value);
   }
   return descend_to_leaf(*this, wide_numerator, wide_denominator);
-}
-
-void RefinementTree::reserve_subdivisions(std::size_t count) {
-  const std::size_t nodes = places_.size() + count * at(setting_.grading);
-  if (nodes <= places_.capacity()) return;
-  const std::size_t room = std::max(nodes, 2 * places_.capacity());  // many small steps stay linear in all
-  places_.reserve(room);
-  links_.reserve(room);
-  coarsest_.reserve(room);
-}
-
-void RefinementTree::subdivide(std::int32_t leaf) {
-  ensure(is_leaf(leaf) && node(leaf).level >= 0, "only a leaf is subdivided");
-  const std::int32_t level = node(leaf).level;
-  add_children(leaf, split_axis(leaf), setting_.grading);
-  element_count_ += setting_.grading - 1;
-  if (level == 0) --initial_left_;
-  max_level_ = std::max(max_level_, level + 1);
-  set_coarsest(leaf, level + 1, 0);
 }
 
 void RefinementTree::update_ranks() {

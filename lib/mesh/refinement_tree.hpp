@@ -47,12 +47,17 @@ class RefinementTree {
   }
   std::int32_t node_count() const { return static_cast<std::int32_t>(places_.size()); }
   std::int32_t coarsest(std::int32_t id) const { return coarsest_[at(id)]; }
+  std::int32_t parent(std::int32_t id) const { return links_[at(id)].parent; }
+  std::int32_t level(std::int32_t id) const { return links_[at(id)].level; }
   std::int32_t first_child(std::int32_t id) const { return places_[at(id)].first_child; }
   bool is_leaf(std::int32_t id) const { return places_[at(id)].first_child == kNone; }
   /// m for an element, 2 for a block.
-  std::int32_t child_count(std::int32_t id) const { return node(id).level < 0 ? 2 : setting_.grading; }
+  std::int32_t child_count(std::int32_t id) const { return links_[at(id)].level < 0 ? 2 : setting_.grading; }
   /// The axis along which a node is split: level mod 3 for an element (Definition 2.6).
-  Axis split_axis(std::int32_t id) const;
+  Axis split_axis(std::int32_t id) const {
+    const std::int32_t level = links_[at(id)].level;
+    return level < 0 ? longest_block_axis(id) : level % kDimension;
+  }
 
   /// The place of a child among its siblings. REQUIRES: an element of level 1 or more.
   std::int32_t child_number(std::int32_t id) const { return (id - initial_nodes_) % setting_.grading; }
@@ -97,10 +102,11 @@ class RefinementTree {
   /// element. Cost: linear in the leaf's level.
   std::int32_t leaf_at(const Point& point) const;
 
-  /// Makes room for so many subdivisions, so that the nodes are moved once at most.
-  void reserve_subdivisions(std::size_t count);
-  /// Definition 2.6: replaces a leaf by its m children. Ranks are stale until update_ranks(). REQUIRES: a leaf.
-  void subdivide(std::int32_t leaf);
+  /// Definition 2.7: replaces leaves by their m children each (Definition 2.6); the children follow in the order of the
+  /// leaves. Ranks are stale until update_ranks(). Cost: linear in the leaves and the cells of the axes. `jobs` threads
+  /// make the same tree as one. REQUIRES: distinct leaves, marked or not.
+  void subdivide(std::span<const std::int32_t> leaves, int jobs = 1);
+  void subdivide(std::int32_t leaf) { subdivide(std::span(&leaf, 1)); }
   void update_ranks();
 
   /// Marks a leaf: searches by `coarsest` do not see it any more, until it is subdivided. REQUIRES: a leaf.
@@ -128,12 +134,16 @@ class RefinementTree {
 
   std::int32_t cell(std::int32_t id, Axis axis) const { return places_[at(id)].cell[at(axis)]; }
   void push_node(const Node& node);
-  Axis longest_block_axis(const Node& block) const;
+  Axis longest_block_axis(std::int32_t block) const;
   std::int32_t block_level(const PerAxis<std::int32_t>& cells) const;
-  void add_children(std::int32_t id, Axis axis, std::int32_t count);
+  void halve(std::int32_t block);
   void build_blocks();
   void set_coarsest(std::int32_t id, std::int32_t level, std::int32_t top);
   std::int32_t coarsest_sibling(std::int32_t id, std::int32_t bound) const;
+  void prepare(std::span<const std::int32_t> leaves, int jobs);
+  void grow(std::size_t count);
+  void write_children(std::int32_t leaf, std::int32_t first);
+  void lower_coarsest(std::int32_t id, std::int32_t level);
 
   Setting setting_;
   std::vector<AxisGrid> grids_;

@@ -23,14 +23,32 @@ std::optional<CoarserInPatch> first_of_level(PatchSearch& search, std::span<cons
   return result;
 }
 
+/// The subdivided elements by level. Each thread lists those of some ranges of nodes; the ranges stay in their order.
+std::vector<std::vector<std::int32_t>> inner_elements(const RefinementTree& tree, int jobs) {
+  constexpr std::size_t kChunk = 1 << 15;
+  const std::size_t nodes = at(tree.node_count());
+  using ByLevel = std::vector<std::vector<std::int32_t>>;
+  std::vector<ByLevel> parts((nodes + kChunk - 1) / kChunk, ByLevel(at(tree.max_level()) + 1));
+  parallel_for(jobs, parts.size(), [&](std::size_t chunk, int) {
+    const std::size_t end = std::min(nodes, (chunk + 1) * kChunk);
+    for (std::size_t node = chunk * kChunk; node < end; ++node) {
+      const auto id = static_cast<std::int32_t>(node);
+      if (tree.level(id) > 0 && !tree.is_leaf(id)) parts[chunk][at(tree.level(id))].push_back(id);
+    }
+  });
+  ByLevel inner = std::move(parts.front());
+  for (std::size_t chunk = 1; chunk < parts.size(); ++chunk) {
+    for (std::size_t level = 0; level < inner.size(); ++level) {
+      inner[level].insert(inner[level].end(), parts[chunk][level].begin(), parts[chunk][level].end());
+    }
+  }
+  return inner;
+}
+
 }  // namespace
 
 std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree, int jobs) {
-  std::vector<std::vector<std::int32_t>> inner(at(tree.max_level()) + 1);
-  for (std::int32_t id = 0; id < tree.node_count(); ++id) {
-    const RefinementTree::Node& node = tree.node(id);
-    if (node.level > 0 && !tree.is_leaf(id)) inner[at(node.level)].push_back(id);
-  }
+  const std::vector<std::vector<std::int32_t>> inner = inner_elements(tree, jobs);
   if (jobs == 1) {
     PatchSearch search(tree);
     for (std::size_t level = 1; level < inner.size(); ++level) {

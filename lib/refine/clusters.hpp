@@ -21,8 +21,9 @@ class Clusters {
 
   /// Cost: linear in the elements and the nodes above the clusters; elements of a cluster are gathered faster when they
   /// stand next to each other.
+  /// `jobs` threads find the same as one.
   /// REQUIRES: distinct nodes of the shape's level, leaves or not; ranks are up to date.
-  Clusters(const RefinementTree& tree, const ClusterShape& shape, std::span<const std::int32_t> elements);
+  Clusters(const RefinementTree& tree, const ClusterShape& shape, std::span<const std::int32_t> elements, int jobs = 1);
 
   /// In preorder.
   const std::vector<Entry>& entries() const { return entries_; }
@@ -30,7 +31,8 @@ class Clusters {
  private:
   struct Path;
 
-  void add_member(std::int32_t element, Path& path);
+  void add_member(std::int32_t element, Path& path, std::vector<Cluster>& parts) const;
+  void gather(std::span<const std::int32_t> elements, int jobs);
   void span_upwards();
   void list_entries();
 

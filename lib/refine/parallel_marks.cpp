@@ -60,9 +60,9 @@ std::vector<std::int32_t> merged(const std::vector<std::vector<Find>>& of_blocks
 
 std::vector<std::int32_t> mark_coarser(RefinementTree& tree, std::span<const std::int32_t> elements, std::int32_t level,
                                        int jobs) {
-  constexpr std::size_t kBlocksPerJob = 16;  // enough that a slow one does not keep the others waiting
+  constexpr std::size_t kBlocksPerJob = 8;  // enough that a slow one does not keep the others waiting
   const ClusterShape shape(tree.setting().grading, level);
-  const Clusters clusters(tree, shape, elements);
+  const Clusters clusters(tree, shape, elements, jobs);
   const std::vector<std::int32_t> blocks = blocks_of(tree, kBlocksPerJob * at(jobs));
   std::vector<std::vector<Find>> finds(blocks.size());
   std::vector<PatchSearch> searches(at(jobs), PatchSearch(tree));

@@ -8,7 +8,7 @@ namespace asts {
 namespace {
 
 /// Not worth a thread.
-constexpr std::size_t kFewElements = 1024;
+constexpr std::size_t kFewElements = 4096;
 
 }  // namespace
 
@@ -40,14 +40,8 @@ std::vector<std::int32_t> mark_closure(RefinementTree& tree, std::span<const std
   return closure;
 }
 
-void subdivide_all(RefinementTree& tree, std::span<const std::int32_t> leaves) {
-  constexpr std::size_t kAhead = 16;
-  tree.reserve_subdivisions(leaves.size());
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    if (i + 2 * kAhead < leaves.size()) tree.prefetch(leaves[i + 2 * kAhead]);
-    if (i + kAhead < leaves.size()) tree.prefetch_parent(leaves[i + kAhead]);
-    tree.subdivide(leaves[i]);
-  }
+void subdivide_all(RefinementTree& tree, std::span<const std::int32_t> leaves, int jobs) {
+  tree.subdivide(leaves, leaves.size() < kFewElements ? 1 : jobs);
   tree.update_ranks();
 }
 

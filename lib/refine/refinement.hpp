@@ -21,7 +21,7 @@ std::vector<std::int32_t> mark_closure(RefinementTree& tree, std::span<const std
 
 /// Definition 2.7: subdivides distinct leaves, marked or not, and brings the ranks up to date. Since distinct leaves
 /// are disjoint elements of one mesh, the order makes no difference to the mesh.
-void subdivide_all(RefinementTree& tree, std::span<const std::int32_t> leaves);
+void subdivide_all(RefinementTree& tree, std::span<const std::int32_t> leaves, int jobs = 1);
 
 /// Algorithm 2.9: subdivides the closure of the marks. Returns the subdivided elements, as mark_closure does.
 std::vector<std::int32_t> refine(RefinementTree& tree, std::span<const std::int32_t> marks);

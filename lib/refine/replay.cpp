@@ -36,7 +36,7 @@ void Replay::advance() {
   counts_.marked = static_cast<std::int64_t>(leaves.size());
   if (step.kind == Step::Kind::refine) leaves = mark_closure(tree_, leaves, jobs_);
   if (watch_history_ && history_admissible_) history_admissible_ = is_admissible_subdivision(tree_, leaves);
-  subdivide_all(tree_, leaves);
+  subdivide_all(tree_, leaves, jobs_);
   counts_.subdivided = static_cast<std::int64_t>(leaves.size());
   subdivided_ = std::move(leaves);
   ++counts_.step;

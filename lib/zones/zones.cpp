@@ -16,8 +16,8 @@ constexpr std::size_t kParts = 8;
 std::vector<std::int32_t> small_subtrees(const RefinementTree& tree, std::int32_t most_leaves) {
   std::vector<std::int32_t> leaves(at(tree.node_count()), 0);
   for (std::int32_t id = tree.node_count(); id-- > 0;) {  // children come after their parents
-    if (tree.is_leaf(id)) leaves[at(id)] = 1;
-    if (tree.node(id).parent >= 0) leaves[at(tree.node(id).parent)] += leaves[at(id)];
+    if (leaves[at(id)] == 0) leaves[at(id)] = 1;
+    if (tree.parent(id) >= 0) leaves[at(tree.parent(id))] += leaves[at(id)];
   }
   std::vector<std::int32_t> result;
   std::vector<std::int32_t> pending{0};
@@ -40,6 +40,10 @@ std::vector<VectorStore> empty_stores(const RefinementTree& tree) {
 }
 
 using VectorIds = PerAxis<std::int32_t>;
+
+Zone zone_of(std::int32_t tree_node, ZoneNodes&& found, PerAxis<std::vector<std::int32_t>>&& vectors) {
+  return {tree_node, true, found.empty, std::move(vectors), std::move(found.nodes), found.window, {}};
+}
 
 VectorIds ids_of(const Zone& zone, const PerAxis<std::uint16_t>& node) {
   VectorIds ids;
@@ -68,18 +72,14 @@ std::vector<std::int32_t> Zones::intern(Axis axis, const ZoneNodes& found) {
   return ids;
 }
 
-Zone Zones::zone_of(std::int32_t tree_node, const ZoneNodes& found) {
-  Zone zone{tree_node, true, found.empty, {}, found.nodes, found.window, {}};
-  for (Axis axis = 0; axis < kDimension; ++axis) zone.vectors[at(axis)] = intern(axis, found);
-  return zone;
-}
-
 /// Appends the zones of a node of the tree: itself, or where too much is in it those of its children.
 void Zones::scan(std::int32_t tree_node, std::vector<Zone>& zones) {
   ZoneNodes found;
   const bool fits = scanner_.scan(tree_node, found);
   if (tree_.is_leaf(tree_node) || (fits && found.nodes.size() <= 2 * at(limits_.elements))) {
-    zones.push_back(zone_of(tree_node, found));
+    PerAxis<std::vector<std::int32_t>> vectors;
+    for (Axis axis = 0; axis < kDimension; ++axis) vectors[at(axis)] = intern(axis, found);
+    zones.push_back(zone_of(tree_node, std::move(found), std::move(vectors)));
     zones.back().known = fits;
     return;
   }
@@ -96,15 +96,20 @@ void Zones::rebuild(int jobs) {
   parallel_for(jobs, subtrees.size(), [&](std::size_t i, int worker) {
     fits[i] = scanners[static_cast<std::size_t>(worker)].scan(subtrees[i], found[i]) ? 1 : 0;
   });
+  std::vector<PerAxis<std::vector<std::int32_t>>> vectors(subtrees.size());
+  parallel_for(jobs, kDimension, [&](std::size_t axis, int) {
+    for (std::size_t i = 0; i < subtrees.size(); ++i) {
+      if (fits[i] != 0) vectors[i][axis] = intern(static_cast<Axis>(axis), found[i]);
+    }
+  });
   zones_.clear();
   changed_.clear();
   for (std::size_t i = 0; i < subtrees.size(); ++i) {
     if (fits[i] != 0) {
-      zones_.push_back(zone_of(subtrees[i], found[i]));
+      zones_.push_back(zone_of(subtrees[i], std::move(found[i]), std::move(vectors[i])));
     } else {
       scan(subtrees[i], zones_);
     }
-    found[i] = {};
   }
   index_all();
 }

@@ -60,7 +60,6 @@ class Zones {
     bool nodes = false;
   };
 
-  Zone zone_of(std::int32_t tree_node, const ZoneNodes& found);
   std::vector<std::int32_t> intern(Axis axis, const ZoneNodes& found);
   void scan(std::int32_t tree_node, std::vector<Zone>& zones);
   PerAxis<std::int32_t> position(const Zone& zone, const PerAxis<std::uint16_t>& node) const;

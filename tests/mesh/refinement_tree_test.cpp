@@ -142,6 +142,49 @@ std::int32_t coarsest_below(const RefinementTree& tree, std::int32_t id) {
   return coarsest;
 }
 
+void expect_same_tree(const RefinementTree& one, const RefinementTree& other) {
+  ASSERT_EQ(one.node_count(), other.node_count());
+  EXPECT_EQ(one.element_count(), other.element_count());
+  EXPECT_EQ(one.new_element_count(), other.new_element_count());
+  EXPECT_EQ(one.max_level(), other.max_level());
+  std::int64_t different = 0;
+  for (std::int32_t id = 0; id < one.node_count(); ++id) {
+    const RefinementTree::Node a = one.node(id);
+    const RefinementTree::Node b = other.node(id);
+    const bool same = a.parent == b.parent && a.first_child == b.first_child && a.level == b.level &&
+                      a.coarsest == b.coarsest && literal::box(one, id) == literal::box(other, id);
+    different += same ? 0 : 1;
+  }
+  EXPECT_EQ(different, 0);
+}
+
+// Leaves of several levels, in any order, so many that every thread gets some; half of them are marked before.
+TEST(RefinementTree, IsTheSameForAnyNumberOfThreadsAndLeafByLeaf) {
+  Draw draw(8);
+  const Setting setting{{3, 5, 3}, 3, {12, 11, 10}};
+  RefinementTree together(setting), by_threads(setting), one_by_one(setting);
+  for (int step = 0; step < 4; ++step) {
+    std::vector<std::int32_t> leaves;
+    for (const std::int32_t leaf : leaves_of(together)) {
+      if (!draw.one_in(step + 2)) leaves.push_back(leaf);
+    }
+    for (std::size_t i = leaves.size(); i-- > 1;) {
+      std::swap(leaves[i], leaves[static_cast<std::size_t>(draw.between(0, static_cast<int>(i)))]);
+    }
+    for (std::size_t i = 0; i < leaves.size(); i += 2) {
+      for (RefinementTree* tree : {&together, &by_threads}) tree->mark(leaves[i]);
+    }
+    together.subdivide(leaves);
+    by_threads.subdivide(leaves, 3);
+    for (const std::int32_t leaf : leaves) one_by_one.subdivide(leaf);
+    for (RefinementTree* tree : {&together, &by_threads, &one_by_one}) tree->update_ranks();
+    expect_same_tree(together, by_threads);
+    expect_same_tree(together, one_by_one);
+  }
+  EXPECT_GT(together.element_count(), 30000);
+  EXPECT_EQ(together.node(0).coarsest, coarsest_below(together, 0));
+}
+
 TEST(RefinementTree, KnowsTheCoarsestUnmarkedLeafBelowEveryNode) {
   Draw draw(7);
   for (int round = 0; round < 30; ++round) {

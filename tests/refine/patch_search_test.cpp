@@ -8,6 +8,7 @@
 #include "lib/gen/growing_case.hpp"
 #include "lib/gen/workloads.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "lib/refine/admissibility.hpp"
 #include "lib/refine/parallel_marks.hpp"
 #include "lib/refine/refinement.hpp"
 #include "lib/refine/replay.hpp"
@@ -172,7 +173,7 @@ TEST(PatchSearch, GivesTheClosureOfTheSimpleLoop) {
 
 // A mesh so large that threads share the work of every step.
 TEST(Replay, DoesTheSameForAnyNumberOfJobs) {
-  const Case content = generate_workload(Workload::sphere, Setting{{3, 3, 3}, 2, {8, 8, 8}}, 20'000);
+  const Case content = generate_workload(Workload::sphere, Setting{{3, 3, 3}, 2, {8, 8, 8}}, 60'000);
   Replay one(content), two(content, 2), three(content, 3);
   std::size_t most = 0;
   while (!one.done()) {
@@ -181,7 +182,8 @@ TEST(Replay, DoesTheSameForAnyNumberOfJobs) {
     EXPECT_EQ(three.subdivided(), one.subdivided());
     most = std::max(most, one.subdivided().size());
   }
-  EXPECT_GT(most, 5'000U);
+  EXPECT_GT(most, 20'000U);
+  EXPECT_FALSE(find_inadmissible(two.tree(), 2));
   EXPECT_EQ(two.tree().node_count(), one.tree().node_count());
 }
 
