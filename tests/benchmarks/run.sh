@@ -49,9 +49,6 @@ processes() {
   "$programs/time_processes" "${@:2}" >"$measured/$1.jsonl"
 }
 
-# takes COMMAND OPTION: whether a command of the program has an option.
-takes() { "$asts" "$1" --help | grep -q -- "$2"; }
-
 # On the same input, in turn, so that what the machine does otherwise hits them alike.
 measure_beside_p8est() {
   benchmarks beside '^p8est/sphere/1000000/' \
@@ -67,18 +64,20 @@ measure_rest() {
   benchmarks others '/steps-|^(enumerate|campaign|minimize|reference)/|^p8est/sphere/10{4,5}/' --benchmark_min_time=0.1
 }
 
-# whole_case NAME SPHERE: `refine` and `check --final` of a case, by themselves and with two jobs where that is there.
+# whole_case NAME SPHERE: `refine`, `check` and `check --final` of a case, by themselves and with two jobs.
 whole_case() {
-  local commands=("refine, $1" "$asts" refine "$2" -- "check --final, $1" "$asts" check --final "$2")
-  if takes refine --jobs; then commands+=(-- "refine --jobs 2, $1" "$asts" refine --jobs 2 "$2"); fi
-  if takes check --jobs; then commands+=(-- "check --final --jobs 2, $1" "$asts" check --final --jobs 2 "$2"); fi
-  processes "whole-${1#10^}" $repetitions "${commands[@]}"
+  local command commands=()
+  for command in refine check "check --final"; do
+    # shellcheck disable=SC2086 # a command and its option are two words
+    commands+=("$command, $1" "$asts" $command "$2" -- "$command --jobs 2, $1" "$asts" $command --jobs 2 "$2" --)
+  done
+  processes "whole-${1#10^}" $repetitions "${commands[@]:0:${#commands[@]}-1}"
 }
 
 # The difference of both is what the added steps cost.
 sequence() {
   "$programs/print_steps" sphere 100000 $steps >"$measured/steps.case"
-  processes sequence $repetitions "check, 10^5" "$asts" check "$measured/sphere-5.case" \
+  processes sequence $repetitions "check, 10^5, before" "$asts" check "$measured/sphere-5.case" \
     -- "check, 10^5, $steps steps more" "$asts" check "$measured/steps.case"
 }
 
