@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -12,6 +13,9 @@
 #include <utility>
 
 namespace asts {
+
+/// What all node arrays together hold in pages of their own, which mallinfo() does not know of, in bytes.
+inline std::atomic<std::size_t> node_array_pages{0};
 
 /// A vector of plain values for arrays that get large and are read all over: from 8 MB on it asks the system for large
 /// pages. Throws std::bad_alloc.
@@ -79,6 +83,7 @@ class NodeArray {
     if (pages_ == 0 && size_ > 0) std::memcpy(data, data_, size_ * sizeof(T));
     if (pages_ == 0) std::free(data_);
     data_ = static_cast<T*>(data);
+    node_array_pages += bytes - pages_;
     pages_ = bytes;
   }
 
@@ -96,6 +101,7 @@ class NodeArray {
   void release() {
     if (pages_ > 0) {
       munmap(data_, pages_);
+      node_array_pages -= pages_;
     } else {
       std::free(data_);
     }

@@ -140,7 +140,10 @@ class RefinementTree {
   void build_blocks();
   void set_coarsest(std::int32_t id, std::int32_t level, std::int32_t top);
   std::int32_t coarsest_sibling(std::int32_t id, std::int32_t bound) const;
+  struct Seen;
   void prepare(std::span<const std::int32_t> leaves, int jobs);
+  std::vector<Seen> look_at(std::span<const std::int32_t> leaves, int jobs) const;
+  void split_cells(const std::vector<Seen>& seen);
   void grow(std::size_t count);
   void write_children(std::int32_t leaf, std::int32_t first);
   void lower_coarsest(std::int32_t id, std::int32_t level);

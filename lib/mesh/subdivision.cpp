@@ -41,40 +41,18 @@ void RefinementTree::subdivide(std::span<const std::int32_t> leaves, int jobs) {
   element_count_ += static_cast<std::int64_t>(leaves.size()) * (setting_.grading - 1);
 }
 
-/// Sees to it that the axes have the cells of the leaves' children, and that the leaves are marked. New cells are
-/// numbered in the order of their parents, whatever the order of the leaves.
+/// What a thread saw of leaves that are to be subdivided.
+struct RefinementTree::Seen {
+  PerAxis<std::vector<char>> split;  ///< cells whose children are missing
+  std::int32_t max_level = 0;        ///< of the children
+  std::int64_t unit_cubes = 0;
+  bool all_marked = true;
+};
+
+/// Sees to it that the axes have the cells of the leaves' children, and that the leaves are marked.
 void RefinementTree::prepare(std::span<const std::int32_t> leaves, int jobs) {
-  struct Seen {
-    PerAxis<std::vector<char>> missing;  ///< children of a cell
-    std::int32_t max_level = 0;
-    std::int64_t unit_cubes = 0;
-    bool all_marked = true;
-  };
-  std::vector<Seen> seen(at(jobs));
-  for (Seen& of_worker : seen) {
-    for (Axis axis = 0; axis < kDimension; ++axis) of_worker.missing[at(axis)].assign(at(grid(axis).cell_count()), 0);
-  }
-  for_chunks(jobs, leaves.size(), [&](std::size_t begin, std::size_t end, int worker) {
-    Seen& mine = seen[at(worker)];
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i + kAhead < end) prefetch(leaves[i + kAhead]);
-      const std::int32_t level = links_[at(leaves[i])].level;
-      ensure(is_leaf(leaves[i]) && level >= 0, "only a leaf is subdivided");
-      const Axis axis = split_axis(leaves[i]);
-      const std::int32_t split = cell(leaves[i], axis);
-      if (!grid(axis).has_children(split)) mine.missing[at(axis)][at(split)] = 1;
-      mine.max_level = std::max(mine.max_level, level + 1);
-      mine.unit_cubes += level == 0 ? 1 : 0;
-      mine.all_marked = mine.all_marked && coarsest_[at(leaves[i])] == kNoLevel;
-    }
-  });
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    const std::int32_t cells = grid(axis).cell_count();
-    for (std::int32_t id = 0; id < cells; ++id) {
-      const auto is_missing = [&](const Seen& of_worker) { return of_worker.missing[at(axis)][at(id)] != 0; };
-      if (std::any_of(seen.begin(), seen.end(), is_missing)) grids_[at(axis)].children(id);
-    }
-  }
+  const std::vector<Seen> seen = look_at(leaves, jobs);
+  split_cells(seen);
   bool all_marked = true;
   for (const Seen& of_worker : seen) {
     max_level_ = std::max(max_level_, of_worker.max_level);
@@ -83,6 +61,37 @@ void RefinementTree::prepare(std::span<const std::int32_t> leaves, int jobs) {
   }
   for (std::size_t i = 0; i < leaves.size() && !all_marked; ++i) {
     if (coarsest_[at(leaves[i])] != kNoLevel) mark(leaves[i]);
+  }
+}
+
+std::vector<RefinementTree::Seen> RefinementTree::look_at(std::span<const std::int32_t> leaves, int jobs) const {
+  Seen nothing;
+  for (Axis axis = 0; axis < kDimension; ++axis) nothing.split[at(axis)].assign(at(grid(axis).cell_count()), 0);
+  std::vector<Seen> seen(at(jobs), nothing);
+  for_chunks(jobs, leaves.size(), [&](std::size_t begin, std::size_t end, int worker) {
+    Seen& mine = seen[at(worker)];
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + kAhead < end) prefetch(leaves[i + kAhead]);
+      ensure(is_leaf(leaves[i]) && level(leaves[i]) >= 0, "only a leaf is subdivided");
+      const Axis axis = split_axis(leaves[i]);
+      const std::int32_t side = cell(leaves[i], axis);
+      if (!grid(axis).has_children(side)) mine.split[at(axis)][at(side)] = 1;
+      mine.max_level = std::max(mine.max_level, level(leaves[i]) + 1);
+      mine.unit_cubes += level(leaves[i]) == 0 ? 1 : 0;
+      mine.all_marked = mine.all_marked && coarsest_[at(leaves[i])] == kNoLevel;
+    }
+  });
+  return seen;
+}
+
+/// New cells are numbered in the order of their parents, whatever the order of the leaves.
+void RefinementTree::split_cells(const std::vector<Seen>& seen) {
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    for (std::size_t id = 0; id < seen.front().split[at(axis)].size(); ++id) {
+      const auto is_to_be_split = [&](const Seen& of_worker) { return of_worker.split[at(axis)][id] != 0; };
+      if (std::any_of(seen.begin(), seen.end(), is_to_be_split))
+        grids_[at(axis)].children(static_cast<std::int32_t>(id));
+    }
   }
 }
 

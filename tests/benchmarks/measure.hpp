@@ -8,13 +8,14 @@
 #include <string>
 #include <utility>
 
+#include "lib/mesh/node_array.hpp"
 #include "tests/benchmarks/inputs.hpp"
 
 namespace asts::benchmarks {
 
 inline std::size_t bytes_in_use() {
   const struct mallinfo2 info = mallinfo2();
-  return info.uordblks + info.hblkhd;
+  return info.uordblks + info.hblkhd + node_array_pages;
 }
 
 /// `things` a second, for what one pass of the loop does.
@@ -55,12 +56,14 @@ void measure(benchmark::State& state, std::int64_t elements, Begin begin, Make m
 
 /// Registers INPUT/STAGE. `begin(prepared)` gives what `make` works on.
 template <typename Begin, typename Make>
-void add(const Input& input, const std::string& stage, Begin begin, Make make) {
-  benchmark::RegisterBenchmark((input.name() + "/" + stage).c_str(), [=](benchmark::State& state) {
-    Prepared& shared = prepared(input);
-    measure(
-        state, shared.elements(), [&] { return begin(shared); }, make);
-  })->Unit(benchmark::kMillisecond);
+benchmark::internal::Benchmark* add(const Input& input, const std::string& stage, Begin begin, Make make) {
+  return benchmark::RegisterBenchmark((input.name() + "/" + stage).c_str(),
+                                      [=](benchmark::State& state) {
+                                        Prepared& shared = prepared(input);
+                                        measure(
+                                            state, shared.elements(), [&] { return begin(shared); }, make);
+                                      })
+      ->Unit(benchmark::kMillisecond);
 }
 
 void measure_refine(benchmark::State& state, const Input& input);  ///< the case to the tree

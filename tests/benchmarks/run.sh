@@ -23,7 +23,7 @@ programs=$build/tests/benchmarks
 asts=$build/asts
 repetitions=5 steps=200
 properties='admissible|nested-patches|analysis-suitable|dual-compatible|dual-basis|check'
-stages="/(read|refine|replay|closure|patches|zones|(plain-)?($properties)|mesh|nodes|bricks|lambda-cold|lambda-warm)\$"
+stages="/(read|refine|replay|closure|patches|zones|(plain-)?($properties)|mesh|nodes|bricks|lambda-cold|lambda-warm)(/iterations:[0-9]+)?\$"
 growth="^(sphere|corner|random)/p3/m2/(100000|1000000)$stages"
 matrix="^(sphere|corner|random)/(p3/m2/10000|p3/m3/.*|p5/.*)$stages"
 if [[ $quick == yes ]]; then

@@ -17,7 +17,7 @@ const char* const kFile = R"({"context": {}, "benchmarks": [
   {"name": "a/refine", "run_name": "a/refine", "run_type": "iteration", "repetitions": 3, "iterations": 7,
    "real_time": 9, "cpu_time": 2, "time_unit": "ms", "elements": 1000, "elements/s": 500},
   {"name": "a/refine_mean", "run_name": "a/refine", "run_type": "aggregate", "cpu_time": 77, "time_unit": "ms"},
-  {"name": "b", "run_name": "b", "run_type": "iteration", "cpu_time": 5, "time_unit": "us"}]})";
+  {"name": "b", "run_name": "b/iterations:3", "run_type": "iteration", "cpu_time": 5, "time_unit": "us"}]})";
 
 Rows rows_of(const std::string& json) {
   Rows rows;

@@ -56,6 +56,18 @@ TEST(NodeArray, IsCopiedAndMoved) {
   }
 }
 
+TEST(NodeArray, CountsItsPages) {
+  const std::size_t before = node_array_pages;
+  {
+    Numbers numbers = counted(100);
+    EXPECT_EQ(node_array_pages, before);
+    numbers.reserve(2000000);
+    const Numbers moved = std::move(numbers);
+    EXPECT_EQ(node_array_pages, before + 16777216) << "16,000,000 bytes in pages of 2 MiB";
+  }
+  EXPECT_EQ(node_array_pages, before);
+}
+
 TEST(NodeArray, SaysWhenThereIsNoMemory) {
   Numbers numbers = counted(4);
   EXPECT_THROW(numbers.reserve(std::size_t{1} << 58), std::bad_alloc);

@@ -49,7 +49,8 @@ std::map<std::string, Repetitions> repetitions_of(const Json& file) {
   std::map<std::string, Repetitions> all;
   for (const Json& one : file.at("benchmarks")) {
     if (one.at("run_type") != "iteration") continue;
-    const std::string name = one.at("run_name");
+    std::string name = one.at("run_name");
+    name.resize(std::min(name.find("/iterations:"), name.size()));  // added where their number is fixed
     if (one.value("error_occurred", false)) throw std::invalid_argument(name + " ended with an error");
     all[name].add(one);
   }
