@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "cli/check_directory.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "cli/statements.hpp"
@@ -31,13 +32,6 @@ std::vector<const Property*> properties_to_decide(const CheckOptions& options) {
   return all;
 }
 
-/// The case as far as a mesh of its sequence.
-Case prefix_of(const Case& test_case, std::int64_t step) {
-  Case prefix = test_case;
-  if (!test_case.explicit_mesh) prefix.steps.resize(static_cast<std::size_t>(step));
-  return prefix;
-}
-
 /// A claim about meshes is decided for the mesh, one about sequences for the sequence up to it.
 Trial decide_claim(const Claim& claim, const Case& test_case, std::int64_t step, MeshUnderTest& mesh) {
   if (claim.on_mesh != nullptr || claim.on_sequence == nullptr) return try_on_mesh(claim, mesh);
@@ -58,6 +52,13 @@ class Checker {
  public:
   explicit Checker(const CheckOptions& options)
       : options_(options), properties_(properties_to_decide(options)), claims_(chosen_claims(options.claims)) {}
+
+  /// Records what follows in a folder. Throws what CheckDirectory throws.
+  void record_in(const std::string& folder, const std::vector<Input>& inputs) {
+    directory_.emplace(folder,
+                       CheckRun{ASTS_VERSION, options_.final_only, options_.pair_budget, properties_, claims_, {}, {}},
+                       inputs);
+  }
 
   void check_case(Input& input) {
     if (input.mesh) {
@@ -179,14 +180,18 @@ class Checker {
     };
     for (const auto& entry : record.entries) count(entry.property->id, entry.verdict.outcome);
     for (const auto& entry : record.claims) count(entry.claim->id, entry.trial.verdict.outcome);
-    if (violated && options_.format == Format::json) record.mesh_case = text_up_to(input.content, record.step);
-    print(options_.format == Format::json ? check_json(record) : check_text(record));
+    const bool json = options_.format == Format::json;
+    if (violated && (json || directory_)) record.mesh_case = text_up_to(input.content, record.step);
+    const std::string line = json || directory_ ? check_json(record) : std::string();
+    if (directory_) directory_->add(line);
+    print(json ? line : check_text(record));
   }
 
   const CheckOptions& options_;
   std::vector<const Property*> properties_;
   std::vector<const Claim*> claims_;
   std::map<std::pair<std::string, Outcome>, std::int64_t> tally_;
+  std::optional<CheckDirectory> directory_;
 };
 
 }  // namespace
@@ -195,6 +200,7 @@ int check(const CheckOptions& options) {
   Checker checker(options);
   std::vector<Input> inputs;
   for (const std::string& path : options.cases) inputs.push_back(read_input(path));
+  if (!options.folder.empty()) checker.record_in(options.folder, inputs);
   for (Input& input : inputs) checker.check_case(input);
   if (options.format == Format::text) print(checker.summary());
   return checker.exit_code();

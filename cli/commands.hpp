@@ -19,6 +19,7 @@ struct CheckOptions {
   bool final_only = false;
   std::uint64_t pair_budget = 0;  ///< 0: none
   int jobs = 1;
+  std::string folder;  ///< the run directory for `asts report`; empty: none
   Format format = Format::text;
 };
 
@@ -93,6 +94,11 @@ struct ReplayOptions {
   Format format = Format::text;
 };
 
+struct ReportOptions {
+  std::string folder;
+  std::string out;
+};
+
 struct CampaignOptions {
   std::vector<std::string> claims;
   std::optional<std::int64_t> cases;
@@ -124,6 +130,7 @@ int refine(const RefineOptions& options);
 int generate(const GenerateOptions& options);
 int minimize(const MinimizeOptions& options);
 int replay(const ReplayOptions& options);
+int report(const ReportOptions& options);
 int validate(const ValidateOptions& options);
 
 }  // namespace asts::cli

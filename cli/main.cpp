@@ -72,6 +72,7 @@ class CommandLine {
     add_generate();
     add_minimize();
     add_replay();
+    add_report();
     add_validate();
   }
 
@@ -121,6 +122,7 @@ class CommandLine {
         ->check(CLI::PositiveNumber);
     command->add_option("--jobs", check_.jobs, "threads at the same time; the result does not depend on it")
         ->check(CLI::Range(1, 256));
+    command->add_option("--out", check_.folder, "record it in this folder, new or empty, for asts report");
     add_format(*command, check_.format);
     command->callback([this] { chosen_ = [this] { return check(check_); }; });
   }
@@ -218,6 +220,13 @@ class CommandLine {
     command->callback([this] { chosen_ = [this] { return replay(replay_); }; });
   }
 
+  void add_report() {
+    CLI::App* command = app_.add_subcommand("report", "write a run directory as one HTML page");
+    command->add_option("DIR", report_.folder, "what asts campaign --out or asts check --out wrote")->required();
+    command->add_option("--out,-o", report_.out, "the page")->required();
+    command->callback([this] { chosen_ = [this] { return report(report_); }; });
+  }
+
   void add_validate() {
     CLI::App* command = app_.add_subcommand("validate", "decide witnesses again, by separate code");
     command->add_option("FILE", validate_.files, "what `asts check --format json` wrote")->required();
@@ -236,6 +245,7 @@ class CommandLine {
   GenerateOptions generate_;
   MinimizeOptions minimize_;
   ReplayOptions replay_;
+  ReportOptions report_;
   ValidateOptions validate_;
   std::function<int()> chosen_;
 };

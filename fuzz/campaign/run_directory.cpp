@@ -199,6 +199,12 @@ void RunDirectory::write_file(const std::string& name, const std::string& conten
   replace_file(folder_ + "/" + name, content);
 }
 
+RunDirectory::Begun begun_from_json(const std::string& line) {
+  RunDirectory::Begun begun = plan_from(Json::parse(line));
+  require(plan_json(begun.plan, begun.cases) == line, "no plan as campaigns write it");
+  return begun;
+}
+
 std::optional<RecordedCampaign> read_campaign(const std::string& folder) {
   if (!fs::is_directory(folder)) throw InputError(folder + ": is no folder");
   const std::string units = folder + "/" + kUnits;

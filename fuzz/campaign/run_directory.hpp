@@ -54,6 +54,9 @@ class RunDirectory {
   std::unique_ptr<Journal> times_;
 };
 
+/// The plan of the first line; as it was written. Throws InputError for what is none.
+RunDirectory::Begun begun_from_json(const std::string& line);
+
 /// The state that a folder records, for reading alone. Nothing when not even the plan is complete.
 /// Throws InputError when the folder is none of a campaign, or damaged.
 struct RecordedCampaign {

@@ -8,7 +8,7 @@ namespace asts {
 
 namespace {
 
-constexpr const char* kStyle = R"(
+constexpr const char* kStyles = R"(
 .slice text{font:11px 'DejaVu Sans',Verdana,sans-serif;fill:#000}
 .slice .title{font-size:15px;font-weight:bold}
 .slice .level{fill:#555;font-size:9px}
@@ -48,6 +48,8 @@ void add_hatching(XmlNode defs, Axis region, const char* path) {
 
 }  // namespace
 
+const char* slice_styles() { return kStyles; }
+
 const char* region_colour(Axis region) {
   static constexpr PerAxis<const char*> colours{"#d55e00", "#0072b2", "#009e73"};
   return colours[at(region)];
@@ -69,7 +71,7 @@ std::string level_shade(std::optional<std::int32_t> level, std::int32_t highest)
 }
 
 void add_styles(XmlNode svg) {
-  add_node(svg, "style").text() = kStyle;
+  add_node(svg, "style").text() = kStyles;
   XmlNode defs = add_node(svg, "defs");
   static constexpr PerAxis<const char*> paths{"M-2 10L10 -2M-2 2L2 -2M6 10L10 6", "M-2 -2L10 10M6 -2L10 2M-2 6L2 10",
                                               "M0 2H8M0 6H8"};

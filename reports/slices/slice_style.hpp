@@ -16,6 +16,9 @@ const char* node_colour(std::size_t node);
 /// A grey for a level out of 0 to `highest`; the paper's white where the level is no integer.
 std::string level_shade(std::optional<std::int32_t> level, std::int32_t highest);
 
+/// The rules of `style`, for a page that shows several pictures.
+const char* slice_styles();
+
 /// `style` and the hatchings' `defs`.
 void add_styles(XmlNode svg);
 

@@ -1,0 +1,129 @@
+#include "reports/html/claim_table.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "properties/statement.hpp"
+#include "reports/ledger_report.hpp"
+
+namespace asts {
+
+namespace {
+
+using Tally = std::map<std::string, std::int64_t>;
+
+const char* source_of(const std::string& claim) {
+  const Claim* found = find_claim(claim);
+  return found == nullptr ? "-" : found->source;
+}
+
+/// In how many of the trials the hypothesis was met.
+std::string coverage(const LedgerRecord& record) { return percent(record.trials_met, record.trials()); }
+
+std::vector<HtmlCell> row(const LedgerRecord& record) {
+  std::vector<HtmlCell> cells{text_cell(record.claim, statement_id(record.claim)), text_cell(source_of(record.claim)),
+                              text_cell(status_of(record)), text_cell(result_name(record.result()))};
+  for (const std::int64_t count : {record.meshes, record.sequences, record.alone, record.trials_met}) {
+    cells.push_back(number_cell(count));
+  }
+  cells.push_back({coverage(record), true});
+  for (const std::int64_t count :
+       {record.met, record.holds, record.violated, record.not_applicable, record.undecided}) {
+    cells.push_back(number_cell(count));
+  }
+  const LedgerBounds& bounds = record.bounds;
+  cells.push_back({sizes_text(bounds.domain, " x "), true});
+  cells.push_back({sizes_text(bounds.degree, ", "), true});
+  for (const std::int64_t bound :
+       {std::int64_t{bounds.grading}, std::int64_t{bounds.level}, bounds.elements, bounds.active_nodes}) {
+    cells.push_back(number_cell(bound));
+  }
+  return cells;
+}
+
+/// Claims by what their decided trials were drawn for, or had; nothing when there is nothing to say.
+void add_tally_table(HtmlNode parent, const char* id, const char* caption, std::span<const LedgerRecord> records,
+                     const Tally LedgerRecord::*tally) {
+  std::set<std::string> names;
+  for (const LedgerRecord& record : records) {
+    for (const auto& [name, count] : record.*tally) names.insert(name);
+  }
+  if (names.empty()) return;
+  HtmlTable table{id, caption, {"claim"}, {}};
+  table.columns.insert(table.columns.end(), names.begin(), names.end());
+  for (const LedgerRecord& record : records) {
+    auto& cells = table.rows.emplace_back();
+    cells.push_back(text_cell(record.claim));
+    for (const std::string& name : names) {
+      const auto found = (record.*tally).find(name);
+      cells.push_back(number_cell(found == (record.*tally).end() ? 0 : found->second));
+    }
+  }
+  add_table(parent, table);
+}
+
+}  // namespace
+
+std::string statement_id(const std::string& claim) { return "statement-" + claim; }
+
+std::string sizes_text(const PerAxis<int>& sizes, const char* between) {
+  if (sizes == PerAxis<int>{}) return "-";
+  return fmt::format("{}{}{}{}{}", sizes[0], between, sizes[1], between, sizes[2]);
+}
+
+void add_statement(HtmlNode list, const std::string& id) {
+  const auto statement = find_statement(id);
+  HtmlNode pair = add_html(list, "div", {{"id", statement_id(id)}});
+  add_html(pair, "dt", {}, id);
+  HtmlNode words = add_html(pair, "dd");
+  if (!statement) return add_words(words, "not known to this version of the program");
+  if (statement->claim == nullptr) {
+    return add_words(words, fmt::format("{}: {}.", statement->property->source, statement->property->statement));
+  }
+  const Claim& claim = *statement->claim;
+  add_words(words, fmt::format("{}, {}: {}. Its hypothesis is met by {}.", kind_name(claim.kind), claim.source,
+                               claim.statement, claim.met_means));
+}
+
+void add_claim_tables(HtmlNode parent, std::span<const LedgerRecord> records) {
+  HtmlTable table{"claims-table",
+                  "Claims",
+                  {"claim",
+                   "source",
+                   "status",
+                   "result",
+                   "distinct meshes",
+                   "sequences",
+                   "alone",
+                   "trials with the "
+                   "hypothesis met",
+                   "of all trials",
+                   "times met",
+                   "holds",
+                   "violated",
+                   "not applicable",
+                   "undecided",
+                   "largest domain",
+                   "highest degrees",
+                   "highest m",
+                   "highest level",
+                   "most elements",
+                   "most active nodes"},
+                  {}};
+  for (const LedgerRecord& record : records) table.rows.push_back(row(record));
+  add_paragraph(
+      parent,
+      "How often each claim was tried, on how many distinct meshes, in how many trials its hypothesis was met, "
+      "how the trials came out, and how far the decided ones went:");
+  add_table(parent, table);
+  add_html(parent, "h3", {}, "Statements");
+  HtmlNode list = add_html(parent, "dl");
+  for (const LedgerRecord& record : records) add_statement(list, record.claim);
+  HtmlNode trials = add_details(parent, "Where decided trials came from");
+  add_tally_table(trials, "claim-biases", "Decided trials by what their case was drawn to provoke", records,
+                  &LedgerRecord::biases);
+  add_tally_table(trials, "claim-features", "Decided trials by what their mesh has", records, &LedgerRecord::features);
+}
+
+}  // namespace asts
