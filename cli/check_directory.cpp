@@ -25,18 +25,28 @@ constexpr const char* kRun = "check.json";
 constexpr const char* kRecords = "records.jsonl";
 constexpr const char* kCases = "cases";
 
+bool is_plain(char c) {
+  const bool letter = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+  return letter || ('0' <= c && c <= '9') || c == '.' || c == '_' || c == '-';
+}
+
+/// The names of files begin with their number.
+std::string file_begin(std::size_t place) { return fmt::format("{}/{}-", kCases, place + 1); }
+
 /// A name for a file that needs no quotes anywhere: "cases/2-as-implies-dc.case".
 std::string file_of(std::size_t place, const std::string& name) {
   std::string stem = name == "-" ? "stdin" : fs::path(name).stem().string();
   std::replace_if(
-      stem.begin(), stem.end(),
-      [](char c) {
-        const bool plain = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9');
-        return !plain && c != '.' && c != '_' && c != '-';
-      },
-      '_');
+      stem.begin(), stem.end(), [](char c) { return !is_plain(c); }, '_');
   constexpr std::size_t kLongest = 100;
-  return fmt::format("{}/{}-{}.case", kCases, place + 1, stem.substr(0, kLongest));
+  return file_begin(place) + stem.substr(0, kLongest) + ".case";
+}
+
+/// Whether a file is called as the one of a case.
+bool is_file_of(std::size_t place, const std::string& file) {
+  const std::string begin = file_begin(place);
+  return file.starts_with(begin) && file.ends_with(".case") &&
+         std::all_of(file.begin() + static_cast<std::ptrdiff_t>(begin.size()), file.end(), is_plain);
 }
 
 void make_empty_folder(const std::string& folder) {
@@ -79,7 +89,7 @@ CheckRun run_from(const Json& json, const std::string& folder) {
   for (const Json& one : json.at("cases")) {
     const std::string name = text_in(one, "name");
     const std::string file = text_in(one, "file");
-    if (file != file_of(run.cases.size(), name)) throw InputError("'" + file + "' is not the file of the case");
+    if (!is_file_of(run.cases.size(), file)) throw InputError("'" + file + "' is not the file of the case");
     run.cases.push_back({name, file, read_input(folder + "/" + file).content});
   }
   return run;

@@ -17,6 +17,8 @@ namespace {
 
 /// Larger meshes are not drawn: a page must open, and `asts draw` is there for one slice.
 constexpr std::int64_t kMostElements = 200'000;
+/// Nor more meshes than people look at.
+constexpr int kMostMeshes = 60;
 
 std::int64_t initial_elements(const Case& content) {
   std::int64_t result = 1;
@@ -95,6 +97,10 @@ std::string slice_words(const Slice& slice) {
 }  // namespace
 
 void MeshGallery::add(HtmlNode parent, const ShownMesh& shown) {
+  if (views_ == kMostMeshes) {
+    add_paragraph(parent, fmt::format("{} is not drawn here, after {} meshes; asts draw does.", shown.name, views_));
+    return;
+  }
   const LastMesh last(*shown.content);
   if (last.mesh == nullptr) {
     add_paragraph(parent, fmt::format("{} has more than {} elements and is not drawn here; asts draw does.", shown.name,
@@ -109,7 +115,7 @@ void MeshGallery::add(HtmlNode parent, const ShownMesh& shown) {
     for (const Slice& slice : slices_that_matter(shown.witness, setting)) {
       const std::string svg = slice_svg(mesh, slice, marks);
       const bool first = !figure;
-      figure = add_html(parent, "figure", {{"class", first ? "mesh-view" : "picture"}});
+      figure = add_html(parent, "figure", {{"class", first ? "mesh-view" : "picture"}, {"tabindex", "0"}});
       if (first) figure.append_attribute("id") = fmt::format("view-{}", ++views_).c_str();
       add_svg(figure, svg, ++pictures_);
       add_html(figure, "figcaption", {}, shown.name + ", " + slice_words(slice));
