@@ -54,6 +54,16 @@ struct DrawOptions {
   Format format = Format::text;
 };
 
+struct ExportOptions {
+  std::string case_file;
+  std::string out;
+  std::string claim;
+  std::string property;
+  std::string node;
+  bool perturbed_regions = false;
+  Format format = Format::text;
+};
+
 struct EnumerateOptions {
   SettingOptions setting{.domain = {4, 4, 5}};
   int max_subdivisions = 0;
@@ -125,6 +135,7 @@ int check(const CheckOptions& options);
 int claims(const ClaimsOptions& options);
 int draw(const DrawOptions& options);
 int enumerate(const EnumerateOptions& options);
+int export_mesh(const ExportOptions& options);
 int ledger(const LedgerOptions& options);
 int refine(const RefineOptions& options);
 int generate(const GenerateOptions& options);

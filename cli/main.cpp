@@ -67,6 +67,7 @@ class CommandLine {
     add_claims();
     add_draw();
     add_enumerate();
+    add_export();
     add_ledger();
     add_refine();
     add_generate();
@@ -159,6 +160,21 @@ class CommandLine {
     command->callback([this] { chosen_ = [this] { return enumerate(enumerate_); }; });
   }
 
+  void add_export() {
+    CLI::App* command = app_.add_subcommand("export", "write a case's last mesh as a grid for ParaView (.vtu)");
+    command->add_option("CASE", export_.case_file, "a case file, or - for standard input")->required();
+    command->add_option("--out,-o", export_.out, "the file to write")->required();
+    command
+        ->add_option("--node", export_.node, "add the support and the values of this active node's blending function")
+        ->option_text("X,Y,Z");
+    command->add_option("--claim", export_.claim, "decide this claim and mark what violates it");
+    command->add_option("--property", export_.property, "the same for a property (asts check)");
+    command->add_flag("--perturbed-regions", export_.perturbed_regions,
+                      "mark the elements that meet them; --property analysis-suitable does it too");
+    add_format(*command, export_.format);
+    command->callback([this] { chosen_ = [this] { return export_mesh(export_); }; });
+  }
+
   void add_ledger() {
     CLI::App* command = app_.add_subcommand("ledger", "try all claims on random cases, and those that need none");
     command->add_option("--claim", ledger_.claims, "only this claim (asts claims); may be given again")
@@ -240,6 +256,7 @@ class CommandLine {
   ClaimsOptions claims_;
   DrawOptions draw_;
   EnumerateOptions enumerate_;
+  ExportOptions export_;
   LedgerOptions ledger_;
   RefineOptions refine_;
   GenerateOptions generate_;
