@@ -18,20 +18,23 @@ function drawOverlays(scene) {
   drawAxes(scene);
 }
 
-/** The slice's part of the skeleton (Definition 4.2): lines of Xi_u and Xi_v, and hatched where it lies in Xi_axis. */
+/**
+ * The slice's part of the skeleton (Definition 4.2): lines of Xi_u and Xi_v, and hatched where it lies in Xi_axis. Line
+ * by line: stroking one path of thousands of lines takes seconds.
+ */
 function drawSkeleton(scene) {
   const {axis, half, cut} = scene.state;
   const position = scene.mesh.position(axis, half);
-  const paths = AXES.map(() => new Path2D());
-  for (const element of cut.through.concat(cut.below, cut.above)) {
-    for (const side of otherAxes(axis)) addTraces(scene, paths[side], element, side, position);
+  scene.setPen(REGION_COLOURS[axis], 0.7);
+  for (const element of cut.below.concat(cut.above)) hatch(scene, element, position);
+  for (const side of otherAxes(axis)) {
+    scene.setPen(REGION_COLOURS[side], 1.6);
+    for (const element of cut.through.concat(cut.below, cut.above)) traceFaces(scene, element, side, position);
   }
-  for (const element of cut.below.concat(cut.above)) addHatching(scene, paths[axis], element, position);
-  AXES.forEach((_, side) => scene.stroke(paths[side], REGION_COLOURS[side], side === axis ? 0.7 : 1.6));
 }
 
 /** Where the two faces of an element that are orthogonal to `side` meet the slice. */
-function addTraces(scene, path, element, side, position) {
+function traceFaces(scene, element, side, position) {
   const {axis} = scene.state;
   const along = otherAxes(axis).find((other) => other !== side);
   const range = scene.nearRange(element, along);
@@ -40,12 +43,12 @@ function addTraces(scene, path, element, side, position) {
     [from[axis], from[side], from[along]] = [position, end, range[0]];
     const to = from.slice();
     to[along] = range[1];
-    scene.line(path, from, to);
+    scene.strokeLine(from, to);
   }
 }
 
 /** A face in the slice: its two diagonals. */
-function addHatching(scene, path, element, position) {
+function hatch(scene, element, position) {
   const {axis} = scene.state;
   const [u, v] = otherAxes(axis);
   const [[u0, u1], [v0, v1]] = [scene.nearRange(element, u), scene.nearRange(element, v)];
@@ -54,7 +57,7 @@ function addHatching(scene, path, element, position) {
     const to = [];
     [from[axis], from[u], from[v]] = [position, u0, a];
     [to[axis], to[u], to[v]] = [position, u1, b];
-    scene.line(path, from, to);
+    scene.strokeLine(from, to);
   }
 }
 
@@ -92,10 +95,17 @@ function drawRegionInSlice(scene, region, ends, position) {
 
 function drawNodes(scene) {
   const {mesh, state: {show, nodes}} = scene;
-  if (show.allNodes) {
-    scene.dots(Array.from({length: mesh.nodeCount}, (_, node) => mesh.nodeNear(node)), 1.5, scene.colours.ink);
-  }
+  if (show.allNodes) drawAllNodes(scene);
   if (show.nodes) scene.dots(nodes.map((node) => mesh.nodeNear(node)), 2.5, scene.colours.ink);
+}
+
+/** Without an object a node: there may be 10^5 of them. */
+function drawAllNodes({mesh: {nodes, near: [x, y, z]}, context, colours, origin, units: [ux, uy, uz]}) {
+  context.fillStyle = colours.ink;
+  for (let i = 0; i < nodes.length; i += NODE) {
+    const [a, b, c] = [x[nodes[i]], y[nodes[i + 1]], z[nodes[i + 2]]];
+    context.fillRect(origin[0] + a * ux[0] + b * uy[0] + c * uz[0] - 1, origin[1] + a * ux[1] + b * uy[1] + c * uz[1] - 1, 2, 2);
+  }
 }
 
 /** A node with its support and, along each axis, its index vector: a line with a tick at each entry. */
