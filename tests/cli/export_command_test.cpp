@@ -60,6 +60,7 @@ void expect_as_checked(const Exported& grid) {
   EXPECT_EQ(count_of(vtk["kinds"], "3"), grid.counts.value("samples", 0));
   EXPECT_EQ(count_of(vtk["types"], "11"), elements + grid.counts.value("samples", 0)) << "voxels";
   EXPECT_EQ(count_of(vtk["types"], "1"), nodes + grid.counts["witness_points"].get<std::int64_t>()) << "vertices";
+  EXPECT_EQ(vtk["crooked_voxels"], 0);
   EXPECT_EQ(vtk["cells"], grid.counts["cells"]);
   EXPECT_EQ(vtk["points"], grid.counts["points"]);
   EXPECT_EQ(vtk["field_data"]["elements"]["range"], (Json{elements, elements}));

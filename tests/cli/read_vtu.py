@@ -8,6 +8,7 @@ import sys
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import VTK_VOXEL
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 complaints = []
@@ -63,6 +64,20 @@ def volumes(grid):
     return {str(kind): float(sizes[kinds == kind].sum()) for kind in numpy.unique(kinds)}
 
 
+def crooked_voxels(grid):
+    """How many voxels are no boxes: corner c lies at the upper end of axis a where bit a of c is set, else at the lower."""
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    connectivity = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    begins = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
+    voxels = begins[vtk_to_numpy(grid.GetCellTypesArray()) == VTK_VOXEL]
+    first, last = points[connectivity[voxels]], points[connectivity[voxels + 7]]
+    crooked = numpy.any(first > last, axis=1)
+    for corner in range(8):
+        upper = numpy.array([corner >> axis & 1 for axis in range(3)], dtype=bool)
+        crooked |= numpy.any(points[connectivity[voxels + corner]] != numpy.where(upper, last, first), axis=1)
+    return int(numpy.count_nonzero(crooked))
+
+
 def main():
     grid = read(sys.argv[1])
     if complaints or grid.GetNumberOfCells() == 0:
@@ -75,6 +90,7 @@ def main():
         "kinds": tally(kinds),
         "bounds": list(grid.GetBounds()),
         "volumes": volumes(grid),
+        "crooked_voxels": crooked_voxels(grid),
         "cell_data": arrays_of(grid.GetCellData(), kinds),
         "point_data": arrays_of(grid.GetPointData()),
         "field_data": arrays_of(grid.GetFieldData()),
