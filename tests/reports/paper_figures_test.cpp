@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -52,7 +53,7 @@ bool is_picture(const std::string& name) { return name.ends_with(".svg"); }
 
 // The command on the page, with a program that is built already, into another folder.
 TEST(PaperFigures, AFreshRunGivesWhatIsCheckedInByteForByte) {
-  const fs::path out = fs::path(::testing::TempDir()) / "asts-paper-figures";
+  const fs::path out = fs::path(::testing::TempDir()) / ("asts-paper-figures-" + std::to_string(getpid()));
   fs::remove_all(out);
   const std::string command =
       "'" + (kFolder / "run.sh").string() + "' --program '" ASTS_PAPER_FIGURES "' --out '" + out.string() + "'";
