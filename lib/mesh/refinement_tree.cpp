@@ -38,7 +38,7 @@ std::int32_t descend_to_leaf(const RefinementTree& tree, const PerAxis<Number>& 
   std::int32_t id = tree.unit_cube(cube);
   while (!tree.is_leaf(id)) {
     const auto axis = at(tree.split_axis(id));
-    id = tree.node(id).first_child + place[axis].descend(tree.setting().grading);
+    id = tree.first_child(id) + place[axis].descend(tree.setting().grading);
   }
   return id;
 }

@@ -39,7 +39,7 @@ class RefinementTree {
   explicit RefinementTree(const Setting& setting);
 
   const Setting& setting() const { return setting_; }
-  /// A copy; what is not used of it is not read.
+  /// A copy of all of it. Where others mark leaves at the same time, ask for the parts.
   Node node(std::int32_t id) const {
     const Place& place = places_[at(id)];
     const Link& link = links_[at(id)];
@@ -47,6 +47,7 @@ class RefinementTree {
   }
   std::int32_t node_count() const { return static_cast<std::int32_t>(places_.size()); }
   std::int32_t coarsest(std::int32_t id) const { return coarsest_[at(id)]; }
+  std::int32_t cell(std::int32_t id, Axis axis) const { return places_[at(id)].cell[at(axis)]; }
   std::int32_t parent(std::int32_t id) const { return links_[at(id)].parent; }
   std::int32_t level(std::int32_t id) const { return links_[at(id)].level; }
   std::int32_t first_child(std::int32_t id) const { return places_[at(id)].first_child; }
@@ -84,7 +85,7 @@ class RefinementTree {
   /// Appends a node's children to a stack, so that they are taken off it in the order of their coordinates.
   /// REQUIRES: no leaf.
   void push_children(std::int32_t id, std::vector<std::int32_t>& stack) const {
-    const std::int32_t first = node(id).first_child;
+    const std::int32_t first = first_child(id);
     for (std::int32_t child = first + child_count(id) - 1; child >= first; --child) stack.push_back(child);
   }
 
@@ -115,7 +116,7 @@ class RefinementTree {
   /// above another, and one of them then calls carry_up() for each node.
   void mark_below(std::int32_t top, std::int32_t leaf) { set_coarsest(leaf, kNoLevel, top); }
   void carry_up(std::int32_t top) { set_coarsest(top, coarsest_[at(top)], 0); }
-  bool is_marked(std::int32_t leaf) const { return is_leaf(leaf) && node(leaf).coarsest == kNoLevel; }
+  bool is_marked(std::int32_t leaf) const { return is_leaf(leaf) && coarsest(leaf) == kNoLevel; }
 
   /// The node that is exactly this unit cube. REQUIRES: in the domain.
   std::int32_t unit_cube(const PerAxis<std::int32_t>& index) const;
@@ -132,7 +133,6 @@ class RefinementTree {
     std::int32_t level;
   };
 
-  std::int32_t cell(std::int32_t id, Axis axis) const { return places_[at(id)].cell[at(axis)]; }
   void push_node(const Node& node);
   Axis longest_block_axis(std::int32_t block) const;
   std::int32_t block_level(const PerAxis<std::int32_t>& cells) const;

@@ -69,13 +69,13 @@ std::optional<CoarserInPatch> find_inadmissible(const RefinementTree& tree, int 
 bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::int32_t> leaves) {
   PatchSearch search(tree);
   std::vector<std::vector<std::int32_t>> by_level(at(tree.max_level()) + 1);
-  for (const std::int32_t leaf : leaves) by_level[at(tree.node(leaf).level)].push_back(leaf);
+  for (const std::int32_t leaf : leaves) by_level[at(tree.level(leaf))].push_back(leaf);
   NodeTable in_set;
   for (const std::int32_t leaf : leaves) in_set.insert(leaf);
   for (std::size_t level = 1; level < by_level.size(); ++level) {
     const bool clear = search.coarser_in_patches(
         by_level[level], static_cast<std::int32_t>(level), [&](const PatchSearch::Coarser& coarser) {
-          const std::int32_t after = tree.node(coarser.leaf).level + (in_set.contains(coarser.leaf) ? 1 : 0);
+          const std::int32_t after = tree.level(coarser.leaf) + (in_set.contains(coarser.leaf) ? 1 : 0);
           return after >= static_cast<std::int32_t>(level);
         });
     if (!clear) return false;
@@ -85,7 +85,7 @@ bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::
 
 bool stays_admissible(const RefinementTree& tree, std::span<const std::int32_t> subdivided) {
   std::map<std::int32_t, std::vector<std::int32_t>> by_level;
-  for (const std::int32_t id : subdivided) by_level[tree.node(id).level].push_back(id);
+  for (const std::int32_t id : subdivided) by_level[tree.level(id)].push_back(id);
   PatchSearch search(tree);
   return std::all_of(by_level.begin(), by_level.end(), [&](const auto& level) {
     return search.coarser_in_patches(level.second, level.first, [](const PatchSearch::Coarser&) { return false; });

@@ -30,7 +30,7 @@ ClusterShape::ClusterShape(int grading, std::int32_t level) : grading_(grading),
 
 RankInterval ClusterShape::window(const RefinementTree& tree, std::int32_t root, Axis axis, std::int32_t i) const {
   const AxisGrid& grid = tree.grid(axis);
-  std::int32_t cell = tree.node(root).cell[at(axis)];
+  std::int32_t cell = tree.cell(root, axis);
   for (std::int32_t below = places(axis); below > 1;) {
     below /= grading_;
     cell = grid.known_children(cell) + i / below % grading_;

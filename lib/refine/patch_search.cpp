@@ -56,14 +56,14 @@ bool PatchSearch::reaches(std::int32_t candidate, const RankBox& window) const {
 /// Appends the candidates of an entry: those of the entry above that still count, replaced by their children while
 /// they are larger than the entry's own node.
 void PatchSearch::collect_candidates(const Clusters::Entry& entry, std::size_t from, std::size_t to) {
-  const std::int32_t own_level = tree_.node(entry.cluster.root).level;
+  const std::int32_t own_level = tree_.level(entry.cluster.root);
   for (std::size_t i = from; i < to; ++i) {
     pending_.assign(1, candidates_[i]);
     while (!pending_.empty()) {
       const std::int32_t id = pending_.back();
       pending_.pop_back();
       if (!reaches(id, entry.window)) continue;
-      if (tree_.is_leaf(id) || tree_.node(id).level >= own_level) {
+      if (tree_.is_leaf(id) || tree_.level(id) >= own_level) {
         candidates_.push_back(id);
       } else {
         tree_.push_children(id, pending_);
@@ -86,9 +86,8 @@ bool PatchSearch::report_leaves(const ClusterShape& shape, const Clusters& clust
 }
 
 void PatchSearch::start_from(std::int32_t candidate) {
-  const RefinementTree::Node node = tree_.node(candidate);
-  if (node.coarsest >= level_) return;
-  Hit hit{candidate, node.first_child, node.level, {}};
+  if (tree_.coarsest(candidate) >= level_) return;
+  Hit hit{candidate, tree_.first_child(candidate), tree_.level(candidate), {}};
   for (Axis axis = 0; axis < kDimension; ++axis) {
     hit.along[at(axis)] = reach_.members_along(axis, tree_.extent(candidate, axis));
   }
@@ -108,7 +107,7 @@ void PatchSearch::push_children(const Hit& hit) {
     if (child.members() == 0) continue;
     child.node = id;
     child.first_child = tree_.first_child(id);
-    child.level = hit.level < 0 ? tree_.node(id).level : hit.level + 1;
+    child.level = hit.level < 0 ? tree_.level(id) : hit.level + 1;
     tree_.prefetch_children(child.first_child);
     deeper_hits_.push_back(child);
   }

@@ -16,7 +16,7 @@ std::vector<std::int32_t> mark_closure(RefinementTree& tree, std::span<const std
   std::vector<std::vector<std::int32_t>> by_level(at(tree.max_level()) + 1);
   for (const std::int32_t leaf : marks) {
     if (tree.is_marked(leaf)) continue;
-    by_level[at(tree.node(leaf).level)].push_back(leaf);
+    by_level[at(tree.level(leaf))].push_back(leaf);
     tree.mark(leaf);
   }
   PatchSearch search(tree);
@@ -26,11 +26,11 @@ std::vector<std::int32_t> mark_closure(RefinementTree& tree, std::span<const std
     const std::vector<std::int32_t>& elements = by_level[level];
     if (jobs > 1 && elements.size() >= kFewElements) {
       for (const std::int32_t leaf : mark_coarser(tree, elements, static_cast<std::int32_t>(level), jobs)) {
-        by_level[at(tree.node(leaf).level)].push_back(leaf);
+        by_level[at(tree.level(leaf))].push_back(leaf);
       }
     } else {
       search.coarser_in_patches(elements, static_cast<std::int32_t>(level), [&](const PatchSearch::Coarser& coarser) {
-        by_level[at(tree.node(coarser.leaf).level)].push_back(coarser.leaf);
+        by_level[at(tree.level(coarser.leaf))].push_back(coarser.leaf);
         tree.mark(coarser.leaf);
         return true;
       });

@@ -264,7 +264,7 @@ PerAxis<std::int32_t> Zones::position(const Zone& zone, const PerAxis<std::uint1
 /// Appends the zones of the children of a zone's node of the tree, with its nodes and its windows.
 void Zones::divide(const Zone& zone, std::vector<Zone>& parts) const {
   const Axis split = tree_.split_axis(zone.tree_node);
-  const std::int32_t first = tree_.node(zone.tree_node).first_child;
+  const std::int32_t first = tree_.first_child(zone.tree_node);
   const auto count = at(tree_.child_count(zone.tree_node));
   const std::size_t begin = parts.size();
   for (std::size_t i = 0; i < count; ++i) {
