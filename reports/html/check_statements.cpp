@@ -49,13 +49,6 @@ std::vector<HtmlCell> row(const StatementCounts& counts) {
   cells.push_back(claim ? number_cell(counts.trials_met) : text_cell("-"));
   cells.push_back(claim ? HtmlCell{percent(counts.trials_met, trials), true} : text_cell("-"));
   cells.push_back(claim ? number_cell(counts.met) : text_cell("-"));
-  const LedgerBounds& bounds = counts.bounds;
-  cells.push_back({sizes_text(bounds.domain, " x "), true});
-  cells.push_back({sizes_text(bounds.degree, ", "), true});
-  for (const std::int64_t bound :
-       {std::int64_t{bounds.grading}, std::int64_t{bounds.level}, bounds.elements, bounds.active_nodes}) {
-    cells.push_back(number_cell(bound));
-  }
   return cells;
 }
 
@@ -85,15 +78,15 @@ void add_statements(HtmlNode parent, const CheckRun& run) {
   HtmlTable table{"claims-table",
                   "Properties and claims",
                   {"statement", "source", "status", "holds", "violated", "not applicable", "undecided",
-                   "meshes with the hypothesis met", "of all meshes", "times met", "largest domain", "highest degrees",
-                   "highest m", "highest level", "most elements", "most active nodes"},
+                   "meshes with the hypothesis met", "of all meshes", "times met"},
                   {}};
   for (const StatementCounts& counts : counts_of(run)) table.rows.push_back(row(counts));
-  add_paragraph(
-      section,
-      "How the verdicts on the meshes came out, in how many of them a claim's hypothesis was met, and how far "
-      "the decided ones went:");
+  add_paragraph(section,
+                "How the verdicts on the meshes came out, and in how many of them a claim's hypothesis was met:");
   add_table(section, table);
+  BoundsByName bounds;
+  for (const StatementCounts& counts : counts_of(run)) bounds.emplace_back(counts.statement.id(), counts.bounds);
+  add_bounds_table(section, bounds);
   add_html(section, "h3", {}, "In full");
   HtmlNode list = add_html(section, "dl");
   for (const Property* property : run.properties) add_statement(list, property->id);

@@ -32,13 +32,6 @@ std::vector<HtmlCell> row(const LedgerRecord& record) {
        {record.met, record.holds, record.violated, record.not_applicable, record.undecided}) {
     cells.push_back(number_cell(count));
   }
-  const LedgerBounds& bounds = record.bounds;
-  cells.push_back({sizes_text(bounds.domain, " x "), true});
-  cells.push_back({sizes_text(bounds.degree, ", "), true});
-  for (const std::int64_t bound :
-       {std::int64_t{bounds.grading}, std::int64_t{bounds.level}, bounds.elements, bounds.active_nodes}) {
-    cells.push_back(number_cell(bound));
-  }
   return cells;
 }
 
@@ -86,37 +79,39 @@ void add_statement(HtmlNode list, const std::string& id) {
                                claim.statement, claim.met_means));
 }
 
+void add_bounds_table(HtmlNode parent, const BoundsByName& bounds) {
+  HtmlTable table{"bounds-table",
+                  "Bounds: the largest of each among the decided trials",
+                  {"statement", "domain", "degrees", "m", "level", "elements", "active nodes"},
+                  {}};
+  for (const auto& [name, one] : bounds) {
+    auto& cells = table.rows.emplace_back();
+    cells = {text_cell(name), {sizes_text(one.domain, " x "), true}, {sizes_text(one.degree, ", "), true}};
+    for (const std::int64_t bound :
+         {std::int64_t{one.grading}, std::int64_t{one.level}, one.elements, one.active_nodes}) {
+      cells.push_back(number_cell(bound));
+    }
+  }
+  add_table(parent, table);
+}
+
 void add_claim_tables(HtmlNode parent, std::span<const LedgerRecord> records) {
   HtmlTable table{"claims-table",
                   "Claims",
-                  {"claim",
-                   "source",
-                   "status",
-                   "result",
-                   "distinct meshes",
-                   "sequences",
-                   "alone",
+                  {"claim", "source", "status", "result", "distinct meshes", "sequences", "alone",
                    "trials with the "
                    "hypothesis met",
-                   "of all trials",
-                   "times met",
-                   "holds",
-                   "violated",
-                   "not applicable",
-                   "undecided",
-                   "largest domain",
-                   "highest degrees",
-                   "highest m",
-                   "highest level",
-                   "most elements",
-                   "most active nodes"},
+                   "of all trials", "times met", "holds", "violated", "not applicable", "undecided"},
                   {}};
   for (const LedgerRecord& record : records) table.rows.push_back(row(record));
   add_paragraph(
       parent,
       "How often each claim was tried, on how many distinct meshes, in how many trials its hypothesis was met, "
-      "how the trials came out, and how far the decided ones went:");
+      "and how the trials came out:");
   add_table(parent, table);
+  BoundsByName bounds;
+  for (const LedgerRecord& record : records) bounds.emplace_back(record.claim, record.bounds);
+  add_bounds_table(parent, bounds);
   add_html(parent, "h3", {}, "Statements");
   HtmlNode list = add_html(parent, "dl");
   for (const LedgerRecord& record : records) add_statement(list, record.claim);

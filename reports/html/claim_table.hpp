@@ -11,7 +11,11 @@ namespace asts {
 /// statements as they are tested, and where decided trials came from.
 void add_claim_tables(HtmlNode parent, std::span<const LedgerRecord> records);
 
-/// "claim-ID", where a claim's statement stands on the page.
+/// How far the decided trials of claims and properties went, as a table.
+using BoundsByName = std::vector<std::pair<std::string, LedgerBounds>>;
+void add_bounds_table(HtmlNode parent, const BoundsByName& bounds);
+
+/// "statement-ID", where a claim's statement stands on the page.
 std::string statement_id(const std::string& claim);
 
 /// The source and the statement of a claim or a property, and what its hypothesis coverage counts.

@@ -44,7 +44,7 @@ void add_verbatim(HtmlNode parent, const char* name, const std::string& content)
 
 void add_cell(HtmlNode row, const HtmlCell& cell, bool header) {
   HtmlNode node = header ? add_html(row, "th", {{"scope", "row"}}) : add_html(row, "td");
-  if (cell.number) node.append_attribute("class") = "number";
+  if (cell.number) node.append_attribute("class") = cell.bar < 0 ? "number" : "number barred";
   if (cell.link.empty()) {
     add_words(node, cell.text);
   } else {

@@ -89,9 +89,10 @@ void add_svg(HtmlNode parent, std::string svg, int number) {
   picture.remove_child("style");  // page_text() has it
 }
 
-/// "the slice x = 5/2"
-std::string slice_words(const Slice& slice) {
-  return fmt::format("slice {} = {}", axis_name(slice.axis), to_string(slice.position));
+/// The first picture gives way to the interactive view where there are scripts.
+std::string caption(const std::string& name, const Slice& slice, bool first) {
+  return fmt::format("{}{} slice {} = {}", name, first ? ". On paper and without scripts:" : ",", axis_name(slice.axis),
+                     to_string(slice.position));
 }
 
 }  // namespace
@@ -118,7 +119,7 @@ void MeshGallery::add(HtmlNode parent, const ShownMesh& shown) {
       figure = add_html(parent, "figure", {{"class", first ? "mesh-view" : "picture"}, {"tabindex", "0"}});
       if (first) figure.append_attribute("id") = fmt::format("view-{}", ++views_).c_str();
       add_svg(figure, svg, ++pictures_);
-      add_html(figure, "figcaption", {}, shown.name + ", " + slice_words(slice));
+      add_html(figure, "figcaption", {}, caption(shown.name, slice, first));
       if (!first) continue;
       const std::string json = script_json(mesh_view_json(mesh, shown.witness));
       add_html(figure, "script", {{"type", "application/json"}, {"class", "mesh-data"}}, json);
