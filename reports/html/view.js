@@ -191,7 +191,8 @@ class MeshView {
       ArrowLeft: () => this.turn(-TURN, 0), ArrowRight: () => this.turn(TURN, 0),
       ArrowUp: () => this.turn(0, TURN), ArrowDown: () => this.turn(0, -TURN),
       '+': () => this.zoom(1.25), '=': () => this.zoom(1.25), '-': () => this.zoom(0.8), Home: () => this.reset(),
-      PageUp: () => this.moveSlice(1), PageDown: () => this.moveSlice(-1), n: () => this.step(1), p: () => this.step(-1),
+      PageUp: () => this.moveSlice(1), PageDown: () => this.moveSlice(-1),
+      n: () => this.step(1), p: () => this.step(-1),
     };
     if (!actions[event.key]) return;
     event.preventDefault();

@@ -59,6 +59,8 @@ class MeshData {
     this.nodes = decodeTable(json.nodes);
     this.nodeCount = json.nodes.count;
     this.levels = this.countLevels();
+    const integers = this.levels.map(({level}) => level).filter((level) => level !== NO_LEVEL);
+    this.levelRange = [integers[0] ?? 0, integers[integers.length - 1] ?? 0];
     this.sides = this.findSides();
   }
 

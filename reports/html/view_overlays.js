@@ -96,7 +96,7 @@ function drawRegionInSlice(scene, region, ends, position) {
 function drawNodes(scene) {
   const {mesh, state: {show, nodes}} = scene;
   if (show.allNodes) drawAllNodes(scene);
-  if (show.nodes) scene.dots(nodes.map((node) => mesh.nodeNear(node)), 2.5, scene.colours.ink);
+  if (show.nodes) scene.dots(nodes.map((node) => mesh.nodeNear(node)), nodes.length > 200 ? 1 : 2.5, scene.colours.ink);
 }
 
 /** Without an object a node: there may be 10^5 of them. */
@@ -104,7 +104,9 @@ function drawAllNodes({mesh: {nodes, near: [x, y, z]}, context, colours, origin,
   context.fillStyle = colours.ink;
   for (let i = 0; i < nodes.length; i += NODE) {
     const [a, b, c] = [x[nodes[i]], y[nodes[i + 1]], z[nodes[i + 2]]];
-    context.fillRect(origin[0] + a * ux[0] + b * uy[0] + c * uz[0] - 1, origin[1] + a * ux[1] + b * uy[1] + c * uz[1] - 1, 2, 2);
+    const right = origin[0] + a * ux[0] + b * uy[0] + c * uz[0];
+    const down = origin[1] + a * ux[1] + b * uy[1] + c * uz[1];
+    context.fillRect(right - 1, down - 1, 2, 2);
   }
 }
 

@@ -77,14 +77,15 @@ class Panel {
       onchange: () => this.view.pickNumber(Number(this.number.value)),
     });
     const controls = nodeCount === 0 ? [row('There is none.')] : [
-      row(button('‹', 'Previous node', () => this.view.step(-1)),
-        make('label', {}, 'number ', this.number, ` of ${nodeCount}`),
-        button('›', 'Next node', () => this.view.step(1))),
+      row(button('‹', 'Previous node', () => this.view.step(-1)), button('›', 'Next node', () => this.view.step(1)),
+        make('label', {}, 'number ', this.number, ` of ${nodeCount}`)),
       row(wordButton('Zoom to it', 'mesh-view-near', () => this.view.zoomToPicked()),
         wordButton('None', 'mesh-view-none', () => this.view.pick([]))),
     ];
     const named = json.picked.length + json.marks.boxes.length + json.marks.points.length;
-    if (named > 0) controls.push(row(wordButton(this.witnessWords(), 'mesh-view-witness', () => this.view.showWitness())));
+    if (named > 0) {
+      controls.push(row(wordButton(this.witnessWords(), 'mesh-view-witness', () => this.view.showWitness())));
+    }
     return group('Active node', ...controls);
   }
 
@@ -106,13 +107,14 @@ class Panel {
   }
 
   legend() {
-    const highest = this.mesh.levels[this.mesh.levels.length - 1]?.level ?? 0;
     const swatch = (colour) => make('span', {className: 'mesh-view-swatch', style: `background:${colour}`});
     const levels = this.mesh.levels.map(({level, count}) => make('li', {'data-level': levelText(level)},
-      swatch(levelColour(level, highest)), `level ${levelText(level)}: ${count} element${count === 1 ? '' : 's'}`));
+      swatch(levelColour(level, this.mesh.levelRange)),
+      `level ${levelText(level)}: ${count} element${count === 1 ? '' : 's'}`));
     const regions = !this.mesh.json.regions ? [] : AXES.map((name, axis) => make('li', {},
-      swatch(REGION_COLOURS[axis]), `perturbed region R${name}: ${this.mesh.json.regions[axis].length || 'no'} parts`));
-    return group('Legend', make('ul', {className: 'mesh-view-legend'}, ...levels, ...regions));
+      swatch(REGION_COLOURS[axis]),
+      `perturbed region R${name}, ${this.mesh.json.regions[axis].length === 0 ? 'empty' : 'not empty'}`));
+    return group('Legend', make('ul', {className: 'mesh-view-legend', tabIndex: 0}, ...levels, ...regions));
   }
 
   // ---- what changes ------------------------------------------------------------------------------------------------
@@ -122,11 +124,10 @@ class Panel {
     this.slider.max = 2 * this.mesh.lastLine(axis);
     this.slider.value = half;
     const place = `${AXES[axis]} = ${this.mesh.positionText(axis, half)}`;
-    const counts = half % 2 === 0
-      ? `${cut.through.length} elements go through it, ${cut.below.length} end and ${cut.above.length} begin there`
-      : `${cut.through.length} elements go through it`;
-    this.slider.setAttribute('aria-valuetext', `${place}, ${counts}`);
-    this.sliceText.textContent = `${place}: ${counts}; ${nodes.length} active nodes lie in it.`;
+    const ends = half % 2 === 0 ? `, that end there: ${cut.below.length}, that begin there: ${cut.above.length}` : '';
+    const counts = `Elements that it goes through: ${cut.through.length}${ends}. Active nodes in it: ${nodes.length}.`;
+    this.slider.setAttribute('aria-valuetext', `${place}. ${counts}`);
+    this.sliceText.textContent = `${place}. ${counts}`;
   }
 
   showPicked({picked, witness}) {

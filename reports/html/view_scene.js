@@ -1,6 +1,6 @@
-// What is drawn, on a 2D canvas, from a camera without perspective. Of the mesh only the half behind the slice is shown:
-// it is a box, so that its sides towards the reader, the slice among them, hide one another nowhere and need no sorting,
-// and elements inside it are never looked at.
+// What is drawn, on a 2D canvas, from a camera without perspective. Of the mesh only the half behind the slice is
+// shown: it is a box, so that its sides towards the reader, the slice among them, hide one another nowhere and need no
+// sorting, and elements inside it are never looked at.
 
 const REGION_COLOURS = ['#d55e00', '#0072b2', '#009e73'];
 const NODE_COLOURS = ['#cc79a7', '#e69f00', '#56b4e9', 'ink'];
@@ -8,11 +8,12 @@ const NODE_COLOURS = ['#cc79a7', '#e69f00', '#56b4e9', 'ink'];
 /** From the lowest to the highest level: pale yellow, grey green, violet; none is the colour of a region or a node. */
 const LEVEL_STOPS = [[255, 248, 214], [164, 198, 178], [122, 108, 160]];
 
-function levelColour(level, highest) {
+function levelColour(level, [lowest, highest]) {
   if (level === NO_LEVEL) return 'rgb(255 255 255)';
-  const t = Math.min(1, Math.max(0, level) / Math.max(1, highest)) * (LEVEL_STOPS.length - 1);
+  const t = (level - lowest) / Math.max(1, highest - lowest) * (LEVEL_STOPS.length - 1);
   const first = Math.min(LEVEL_STOPS.length - 2, Math.floor(t));
-  const channel = (k) => Math.round(LEVEL_STOPS[first][k] + (LEVEL_STOPS[first + 1][k] - LEVEL_STOPS[first][k]) * (t - first));
+  const [from, to] = [LEVEL_STOPS[first], LEVEL_STOPS[first + 1]];
+  const channel = (k) => Math.round(from[k] + (to[k] - from[k]) * (t - first));
   return `rgb(${channel(0)} ${channel(1)} ${channel(2)})`;
 }
 
@@ -60,7 +61,6 @@ class Scene {
     this.mesh = mesh;
     this.canvas = canvas;
     this.context = canvas.getContext('2d');
-    this.highest = mesh.levels[mesh.levels.length - 1]?.level ?? 0;
   }
 
   /** Draws everything that `state` says; returns how many element faces were drawn. */
@@ -98,7 +98,8 @@ class Scene {
       const upper = facing > 0 ? 1 : 0;
       this.drawFaces(side, upper * this.mesh.domain[side], this.mesh.sides[side][upper], side === 2 ? 0.1 : 0.2);
     }
-    if (Math.abs(towards[axis]) >= 1e-9) this.drawFaces(axis, this.kept[axis][below ? 1 : 0], this.faces(cut, below), 0);
+    if (Math.abs(towards[axis]) < 1e-9) return;
+    this.drawFaces(axis, this.mesh.position(axis, half), this.faces(cut, below), 0);
   }
 
   /** The elements seen in the slice: of the half that is kept, or, at the domain's side, of the other one. */
@@ -122,7 +123,7 @@ class Scene {
     const half = (elements.length > 4000 ? 0.2 : 0.4) / Math.abs(ux * vy - uy * vx);
     const inset = [half * Math.hypot(vx, vy), half * Math.hypot(ux, uy)];
     for (const [level, faces] of this.byLevel(elements)) {
-      context.fillStyle = levelColour(level, this.highest);
+      context.fillStyle = levelColour(level, this.mesh.levelRange);
       for (const element of faces) this.fillFace(element, u, v, inset);
     }
     if (shade > 0) this.fillRange(u, v, `rgb(0 0 0 / ${shade})`);

@@ -20,7 +20,8 @@ OUTSIDE = """(() => {
     if (r.width === 0 || r.height === 0 || (r.left >= -0.5 && r.right <= width + 0.5) || scrolls(element)) continue;
     found.push(`${element.tagName.toLowerCase()}.${element.className} from ${r.left} to ${r.right} of ${width}`);
   }
-  if (document.documentElement.scrollWidth > width) found.push(`the page is ${document.documentElement.scrollWidth} wide`);
+  const whole = document.documentElement.scrollWidth;
+  if (whole > width) found.push(`the page is ${whole} wide`);
   return found;
 })()"""
 
@@ -47,3 +48,34 @@ def check_opened(test, page):
     test.assertEqual(page.evaluate(OUTSIDE), [])
     test.assertEqual(page.problems(), [])
     test.assertEqual(page.requests(), [])
+
+
+# What a reader of the page's structure misses: one h1, no level left out, a name for each picture, heads for tables.
+STRUCTURE = """(() => {
+  const found = [];
+  if (!document.documentElement.lang) found.push('no language');
+  if (!document.title) found.push('no title');
+  const levels = [...document.querySelectorAll('h1, h2, h3, h4, h5, h6')].map((h) => Number(h.tagName[1]));
+  if (levels[0] !== 1 || levels.filter((level) => level === 1).length !== 1) found.push(`headings ${levels}`);
+  levels.forEach((level, i) => {
+    if (i > 0 && level > levels[i - 1] + 1) found.push(`h${level} after h${levels[i - 1]}`);
+  });
+  for (const svg of document.querySelectorAll('svg')) {
+    const named = svg.getAttribute('aria-label') || svg.querySelector('title')?.textContent;
+    if (!named && svg.getAttribute('aria-hidden') !== 'true') found.push('a picture without a name');
+  }
+  for (const image of document.querySelectorAll('img')) if (!image.alt) found.push('an image without words');
+  for (const table of document.querySelectorAll('table')) {
+    if (!table.querySelector('th')) found.push('a table without heads');
+  }
+  const ids = [...document.querySelectorAll('[id]')].map((element) => element.id);
+  for (const id of ids) if (ids.indexOf(id) !== ids.lastIndexOf(id)) found.push(`two elements are called ${id}`);
+  for (const link of document.querySelectorAll('a[href^="#"]')) {
+    if (!document.getElementById(decodeURIComponent(link.hash.slice(1)))) found.push(`nothing behind ${link.hash}`);
+  }
+  return found;
+})()"""
+
+
+def check_structure(test, page):
+    test.assertEqual(page.evaluate(STRUCTURE), [])

@@ -1,4 +1,4 @@
-"""Reads a report's HTML file without a browser: the meshes in it, decoded from reports/html/mesh_view.hpp's description."""
+"""Reads a report's HTML file without a browser: its meshes, decoded as reports/html/mesh_view.hpp describes them."""
 
 import base64
 import html.parser
@@ -57,6 +57,8 @@ class Mesh:
 
     def _node(self, row):
         place = tuple(self.lines[axis][row[axis]] for axis in range(3))
+        if row[3] < 0:
+            return place, None
         vectors = [[self.lines[axis][line] for line in self.json["vectors"][axis][row[3 + axis]]] for axis in range(3)]
         return place, vectors
 
@@ -66,8 +68,8 @@ class Mesh:
         return touched, [e for e in touched if e[0][axis] < place < e[1][axis]]
 
     def seen_in(self, axis, place, from_above):
-        """The elements that a slice shows: those on the side away from the reader; at the domain's own side, where there
-        are none, those on the other one."""
+        """The elements that a slice shows: those on the side away from the reader; at the domain's own side, where
+        there are none, those on the other one."""
         below = [e for e in self.elements if e[0][axis] < place <= e[1][axis]]
         above = [e for e in self.elements if e[0][axis] <= place < e[1][axis]]
         return (below or above) if from_above else (above or below)

@@ -55,7 +55,7 @@ class View:
         """A click where a point of the index domain is drawn."""
         self.page.centre_of(self.canvas)
         left, top = self.page.evaluate(
-            f"(() => {{const r = document.querySelector('{self.canvas}').getBoundingClientRect(); return [r.left, r.top];}})()")
+            f"(r => [r.left, r.top])(document.querySelector('{self.canvas}').getBoundingClientRect())")
         x, y = self.on_canvas(point)
         self.page.click(left + x, top + y)
 
@@ -64,7 +64,8 @@ class View:
         return self.page.evaluate(f"""(() => {{
             const canvas = document.querySelector('{self.canvas}');
             const ratio = canvas.width / canvas.clientWidth;
-            const copy = Object.assign(document.createElement('canvas'), {{width: canvas.width, height: canvas.height}});
+            const copy = document.createElement('canvas');
+            Object.assign(copy, {{width: canvas.width, height: canvas.height}});
             const context = copy.getContext('2d', {{willReadFrequently: true}});
             context.drawImage(canvas, 0, 0);
             return {[list(place) for place in places]}.map(([x, y]) =>
@@ -74,7 +75,8 @@ class View:
     def legend_colours(self):
         """Of each level, as the page's own style gives it."""
         pairs = self.page.evaluate(f"""[...document.querySelectorAll('#{self.figure} li[data-level]')].map(li =>
-            [li.dataset.level, getComputedStyle(li.querySelector('span')).backgroundColor.match(/\\d+/g).map(Number)])""")
+            [li.dataset.level,
+             getComputedStyle(li.querySelector('span')).backgroundColor.match(/\\d+/g).map(Number)])""")
         return {int(level): colour[:3] for level, colour in pairs}
 
     def towards(self):

@@ -3,7 +3,6 @@
 view_test.py MAKE_VIEW_PAGE FINDINGS: the program that prints pages, and the folder of findings.
 """
 
-import math
 import os
 import subprocess
 import sys
@@ -13,8 +12,9 @@ from fractions import Fraction
 
 from browser import Browser, Page
 from page_checks import check_everywhere
-from page_data import AXES, exact, meshes_of, tuple_text
-from view_driver import View, expected_faces
+from page_data import AXES, exact, meshes_of
+from view_checks import check_camera, check_picked, check_slice
+from view_driver import View
 
 MAKE_VIEW_PAGE, FINDINGS = "", ""
 
@@ -89,17 +89,6 @@ class Layout(OnePage):
 
 
 class Slice(OnePage):
-    def check_slice(self, view, mesh, axis, place):
-        touched, through = mesh.cut(axis, place)
-        in_plane = [node for node in mesh.nodes if node[0][axis] == place]
-        self.assertEqual((view.slice_axis, view.slice_position), (AXES[axis], exact(place)))
-        self.assertEqual((view.slice_elements, view.slice_through, view.slice_nodes),
-                         (str(len(touched)), str(len(through)), str(len(in_plane))))
-        self.assertEqual(view.drawn, str(expected_faces(mesh, axis, place, view.towards())))
-        text = view.text(".mesh-view-slice")
-        self.assertTrue(text.startswith(f"{AXES[axis]} = {exact(place)}: {len(through)} elements go through it"), text)
-        self.assertIn(f"{len(in_plane)} active nodes", text)
-
     def test_the_slider_moves_through_every_line_and_every_gap(self):
         for figure in ("view-1", "view-2"):
             view, mesh = self.open(figure)
@@ -113,7 +102,7 @@ class Slice(OnePage):
                 for index, place in enumerate(places):
                     with self.subTest(figure=figure, axis=AXES[axis], place=exact(place)):
                         self.assertEqual(view.slice_index, str(index))
-                        self.check_slice(view, mesh, axis, place)
+                        check_slice(self, view, mesh, axis, place)
                     view.press_on(".mesh-view-slider", "ArrowRight")
                 self.assertEqual(view.slice_index, str(len(places) - 1), "the slider ends at the last line")
 
@@ -141,69 +130,38 @@ class Slice(OnePage):
 
 
 class Turn(OnePage):
-    def check_camera(self, view, mesh):
-        """The picture of the axes is that of a camera at these angles: lengths and angles on the canvas are right."""
-        yaw, pitch = math.radians(float(view.yaw)), math.radians(float(view.pitch))
-        right = (-math.sin(yaw), math.cos(yaw), 0)
-        up = (-math.sin(pitch) * math.cos(yaw), -math.sin(pitch) * math.sin(yaw), math.cos(pitch))
-        units = view.numbers("units")
-        scale = math.sqrt(sum(unit * unit for unit in units) / 2)
-        for axis in range(3):
-            self.assertAlmostEqual(units[2 * axis], scale * right[axis], places=6)
-            self.assertAlmostEqual(units[2 * axis + 1], -scale * up[axis], places=6)
-        axis = AXES.index(view.slice_axis)
-        self.assertEqual(view.drawn, str(expected_faces(mesh, axis, Fraction(view.slice_position), view.towards())))
-        return scale
-
     def test_keys_and_dragging_turn_it(self):
         view, mesh = self.open()
-        self.check_camera(view, mesh)
+        check_camera(self, view, mesh)
         yaw, image = float(view.yaw), view.image()
         view.press_on("canvas", "ArrowRight", "ArrowRight", "ArrowUp")
         self.assertEqual((float(view.yaw), float(view.pitch)), (yaw + 10, 30))
         self.assertNotEqual(view.image(), image)
-        self.check_camera(view, mesh)
+        check_camera(self, view, mesh)
         self.page.drag(*self.page.centre_of(view.canvas), -300, 20)
         self.assertGreater(abs(float(view.yaw) - yaw - 10), 60)
-        self.check_camera(view, mesh)
+        check_camera(self, view, mesh)
         for _ in range(5):
             self.page.drag(*self.page.centre_of(view.canvas), -150, -60)
-            self.check_camera(view, mesh)
+            check_camera(self, view, mesh)
         view.press_on("canvas", "Home")
         self.assertEqual((float(view.yaw), float(view.pitch)), (yaw, 25))
         self.assertEqual(view.image(), image, "the same state, the same picture")
 
     def test_buttons_turn_and_zoom(self):
         view, mesh = self.open()
-        before = self.check_camera(view, mesh)
+        before = check_camera(self, view, mesh)
         view.click_on("[title='Zoom in']")
-        self.assertAlmostEqual(self.check_camera(view, mesh), 1.25 * before, places=6)
+        self.assertAlmostEqual(check_camera(self, view, mesh), 1.25 * before, places=6)
         view.click_on("[title='Turn to the left']")
         self.assertEqual(float(view.yaw), -75)
         view.click_on("[title='Turn up']")
         self.assertEqual(float(view.pitch), 40)
         view.click_on(".mesh-view-reset")
-        self.assertAlmostEqual(self.check_camera(view, mesh), before, places=6)
+        self.assertAlmostEqual(check_camera(self, view, mesh), before, places=6)
 
 
 class Pick(OnePage):
-    def check_picked(self, view, mesh, nodes):
-        self.assertEqual(view.picked_node, " ".join(map(str, nodes)))
-        shown = view.texts(".mesh-view-node p")
-        self.assertEqual(len(shown), len(nodes))
-        for index, node in enumerate(nodes):
-            place, vectors = mesh.nodes[node]
-            self.assertIn(f"= {tuple_text(place)}, active node {node + 1} of {len(mesh.nodes)}", shown[index])
-            box = f'[data-node="{node}"]'
-            self.assertEqual(view.texts(f"{box} [data-vector]"), [
-                f"index vector along {AXES[axis]}: {tuple_text(vectors[axis])}" for axis in range(3)])
-            support = mesh.support(node)
-            words = " × ".join(f"[{exact(low)}, {exact(high)}]" for low, high in support)
-            inside = sum(1 for low, high, _ in mesh.elements
-                         if all(low[a] < support[a][1] and support[a][0] < high[a] for a in range(3)))
-            self.assertEqual(view.text(f"{box} [data-support]"),
-                             f"support: {words}, which {inside} elements share volume with")
-
     def test_a_click_picks_the_node_that_is_drawn_there(self):
         for figure in ("view-1", "view-2"):
             view, mesh = self.open(figure)
@@ -217,22 +175,22 @@ class Pick(OnePage):
                     view.click_on(".mesh-view-none")
                     self.assertEqual(view.picked_node, "")
                     view.click_at(point)
-                    self.check_picked(view, mesh, [node])
+                    check_picked(self, view, mesh, [node])
 
     def test_buttons_keys_and_the_number_pick(self):
         view, mesh = self.open("view-2")
         view.click_on("[title='Next node']")
-        self.check_picked(view, mesh, [0])
+        check_picked(self, view, mesh, [0])
         view.press_on("canvas", "n", "n")
-        self.check_picked(view, mesh, [2])
+        check_picked(self, view, mesh, [2])
         self.assertEqual(Fraction(view.slice_position), mesh.nodes[2][0][AXES.index(view.slice_axis)],
                          "the slice follows")
         view.press_on("canvas", "p", "p", "p")
-        self.check_picked(view, mesh, [len(mesh.nodes) - 1])
+        check_picked(self, view, mesh, [len(mesh.nodes) - 1])
         self.page.evaluate("""(() => { const e = document.querySelector('#view-2 .mesh-view-number');
             e.value = 4; e.dispatchEvent(new Event('change')); })()""")
         self.page.settle()
-        self.check_picked(view, mesh, [3])
+        check_picked(self, view, mesh, [3])
 
     def test_a_picked_node_is_drawn_with_its_support(self):
         view, mesh = self.open()
@@ -265,7 +223,7 @@ class Pick(OnePage):
             names = mesh.json["marks"]["nodes"]
             self.assertGreaterEqual(len(names), 2)
             self.assertEqual(sorted(node["node"] for node in names), sorted(mesh.json["picked"]))
-            self.check_picked(view, mesh, [node["node"] for node in names])
+            check_picked(self, view, mesh, [node["node"] for node in names])
             self.assertEqual(view.texts(".mesh-view-node strong"), [node["name"] for node in names])
             self.assertIn(mesh.json["says"], view.text(".mesh-view-says"))
             for point in mesh.json["marks"]["points"]:

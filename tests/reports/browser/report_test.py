@@ -1,0 +1,114 @@
+"""The pages that `asts report` writes of real runs, in headless Chromium: a small campaign that finds a violation, and
+a check of a refined sphere and of a published mesh. Every mesh shown is driven and compared with its JSON.
+
+report_test.py ASTS CASES: the program, and the folder tests/cases.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+from browser import Browser, Page
+from page_checks import check_everywhere, check_structure
+from page_data import AXES, meshes_of
+from view_checks import check_camera, check_picked, check_slice
+from view_driver import View
+
+ASTS, CASES = "", ""
+
+
+def asts(*words, may_find=False):
+    """Runs the program; with `may_find` something may be violated."""
+    run = subprocess.run([ASTS, *words], capture_output=True, check=False)
+    if run.returncode not in ((0, 1) if may_find else (0,)):
+        raise RuntimeError(f"asts {' '.join(words)}: exit code {run.returncode}\n{run.stderr.decode()}")
+    return run.stdout
+
+
+class ReportPage:
+    """A page of a run directory that `make_run` fills; least_* say that the run has what is to be looked at."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        run = os.path.join(cls.folder.name, "run")
+        cls.make_run(run)
+        cls.path = os.path.join(cls.folder.name, "report.html")
+        asts("report", run, "-o", cls.path)
+        cls.meshes = meshes_of(cls.path)
+        cls.browser = Browser()
+        cls.page = Page(cls.browser, 1400)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def test_nothing_is_outside_and_nothing_complains(self):
+        check_everywhere(self, self.page, self.path)
+
+    def test_headings_tables_and_pictures_are_real(self):
+        self.page.media("screen")
+        self.page.resize(800)
+        self.page.open(self.path)
+        check_structure(self, self.page)
+
+    def test_every_mesh_is_shown_as_it_is(self):
+        self.assertGreaterEqual(len(self.meshes), self.least_meshes)
+        self.page.media("screen")
+        self.page.resize(1400)
+        self.page.open(self.path)
+        pairs = 0
+        for figure, mesh in self.meshes.items():
+            with self.subTest(figure=figure):
+                pairs += self.drive(View(self.page, figure), mesh)
+        self.assertGreaterEqual(pairs, self.least_pairs)
+        self.assertEqual((self.page.problems(), self.page.requests()), ([], []))
+
+    def drive(self, view, mesh):
+        """Turn, slice, pick; returns whether there was something violated to pick."""
+        check_camera(self, view, mesh)
+        view.press_on("canvas", "ArrowRight", "ArrowDown")
+        check_camera(self, view, mesh)
+        for axis in range(3):
+            view.choose_axis(AXES[axis])
+            check_slice(self, view, mesh, axis, Fraction(view.slice_position))
+            view.press_on("canvas", "PageUp")
+            check_slice(self, view, mesh, axis, Fraction(view.slice_position))
+        if mesh.nodes:
+            view.press_on("canvas", "n")
+            check_picked(self, view, mesh, [0])
+        names = mesh.json["marks"]["nodes"]
+        if not names:
+            return 0
+        view.click_on(".mesh-view-witness")
+        check_picked(self, view, mesh, [node["node"] for node in names])
+        return 1
+
+
+class CampaignReport(ReportPage, unittest.TestCase):
+    least_meshes, least_pairs = 1, 1
+
+    @classmethod
+    def make_run(cls, run):
+        asts("campaign", "--claim", "as-implies-dc", "--cases", "128", "--seed", "1", "--out", run, may_find=True)
+
+
+class CheckReport(ReportPage, unittest.TestCase):
+    least_meshes, least_pairs = 2, 1
+
+    @classmethod
+    def make_run(cls, run):
+        sphere = os.path.join(cls.folder.name, "sphere.case")
+        with open(sphere, "wb") as file:
+            file.write(asts("generate", "sphere", "--domain", "8,8,8", "--elements", "1500"))
+        asts("check", "--final", "--out", run, sphere, os.path.join(CASES, "planar", "published-bad-tmesh.case"),
+             may_find=True)
+
+
+if __name__ == "__main__":
+    ASTS, CASES = sys.argv[1:3]
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
