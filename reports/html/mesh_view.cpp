@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "lib/exact/errors.hpp"
-#include "reports/html/base64.hpp"
+#include "reports/base64.hpp"
 #include "reports/slices/slice_marks.hpp"
 
 namespace asts {

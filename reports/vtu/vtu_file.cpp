@@ -4,7 +4,7 @@
 #include <cstring>
 #include <pugixml.hpp>
 
-#include "reports/vtu/base64.hpp"
+#include "reports/base64.hpp"
 
 namespace asts {
 

@@ -8,7 +8,7 @@
 #include "lib/mesh/case_file.hpp"
 #include "lib/refine/replay.hpp"
 #include "properties/statement.hpp"
-#include "reports/html/base64.hpp"
+#include "reports/base64.hpp"
 
 namespace asts::testing {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "lib/mesh/case_file.hpp"
 #include "lib/refine/replay.hpp"
-#include "reports/vtu/base64.hpp"
+#include "reports/base64.hpp"
 #include "reports/vtu/blending_values.hpp"
 #include "reports/vtu/element_marks.hpp"
 #include "reports/vtu/element_search.hpp"

@@ -1,6 +1,4 @@
-#include "reports/vtu/base64.hpp"
-
-#include <cstdint>
+#include "reports/base64.hpp"
 
 namespace asts {
 
@@ -18,6 +16,17 @@ std::string base64(std::string_view bytes) {
     }
   }
   return text;
+}
+
+std::string base64_of(const std::vector<std::int32_t>& numbers) {
+  std::string bytes;
+  bytes.reserve(4 * numbers.size());
+  for (const std::int32_t number : numbers) {
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+      bytes += static_cast<char>(static_cast<std::uint32_t>(number) >> shift & 255U);
+    }
+  }
+  return base64(bytes);
 }
 
 }  // namespace asts
