@@ -10,6 +10,7 @@
 #include "cli/terminal.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "lib/mesh/case_prefix.hpp"
 #include "lib/refine/replay.hpp"
 #include "properties/sequence_under_test.hpp"
 #include "reports/check_report.hpp"
@@ -35,12 +36,12 @@ std::vector<const Property*> properties_to_decide(const CheckOptions& options) {
 /// A claim about meshes is decided for the mesh, one about sequences for the sequence up to it.
 Trial decide_claim(const Claim& claim, const Case& test_case, std::int64_t step, MeshUnderTest& mesh) {
   if (claim.on_mesh != nullptr || claim.on_sequence == nullptr) return try_on_mesh(claim, mesh);
-  return try_on_sequence(claim, prefix_of(test_case, step));
+  return try_on_sequence(claim, case_prefix(test_case, static_cast<std::size_t>(step)));
 }
 
 /// The same as text; empty when it is too long.
 std::string text_up_to(const Case& test_case, std::int64_t step) {
-  const Case prefix = prefix_of(test_case, step);
+  const Case prefix = case_prefix(test_case, static_cast<std::size_t>(step));
   std::size_t points = 2 * prefix.elements.size();
   for (const Step& one : prefix.steps) points += one.marks.size();
   if (points > kLongestMeshText / kLeastPointText) return {};
@@ -147,7 +148,8 @@ class Checker {
       record.case_name = input.name;
       record.step = step;
       for (const Claim* claim : claims_) {
-        record.claims.push_back({claim, try_on_sequence(*claim, prefix_of(input.content, step))});
+        record.claims.push_back(
+            {claim, try_on_sequence(*claim, case_prefix(input.content, static_cast<std::size_t>(step)))});
       }
       finish(record, input);
     }

@@ -10,6 +10,7 @@
 #include "fuzz/campaign/sealed_lines.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "lib/mesh/case_prefix.hpp"
 #include "reports/check_reading.hpp"
 #include "reports/witness_reading.hpp"
 
@@ -95,18 +96,11 @@ CheckRun run_from(const Json& json, const std::string& folder) {
   return run;
 }
 
-std::size_t line_of(const std::string& text, std::size_t byte) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-  return static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
-}
-
 CheckRun read_run(const std::string& folder) {
   const std::string path = folder + "/" + kRun;
-  const std::string text = content_of_file(path);
+  const Json json = json_of_file(path);
   try {
-    return run_from(Json::parse(text), folder);
-  } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: is cut off or no JSON", path, line_of(text, error.byte)));
+    return run_from(json, folder);
   } catch (const Json::exception& error) {
     const std::string reason = error.what();
     throw InputError(path + ": " + reason.substr(reason.find("] ") + 2));
@@ -129,7 +123,8 @@ void require_next(const CheckRun& run, const CheckRun::CheckedCase& checked, std
   const bool claims = std::equal(record.claims.begin(), record.claims.end(), run.claims.begin(), run.claims.end(),
                                  [](const auto& a, const auto* b) { return a.claim == b; });
   require(properties && claims, "has not the verdicts that were asked for");
-  const bool same = record.mesh_case.empty() || record.mesh_case == write_case(prefix_of(checked.content, step));
+  const bool same = record.mesh_case.empty() ||
+                    record.mesh_case == write_case(case_prefix(checked.content, static_cast<std::size_t>(step)));
   require(same, "its mesh is not that of the case");
 }
 

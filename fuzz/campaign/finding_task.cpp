@@ -9,6 +9,7 @@
 #include "fuzz/validation/validate_record.hpp"
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "lib/mesh/case_prefix.hpp"
 #include "reports/collection.hpp"
 #include "reports/ledger_report.hpp"
 #include "reports/minimize_report.hpp"
@@ -32,9 +33,7 @@ const Claim* claim_of(const CampaignPlan& plan, const FindingTask& task) {
 /// The case as it was drawn, up to the mesh of the task; nothing when it could not even be made.
 std::optional<Case> drawn_case(const CampaignPlan& plan, const FindingTask& task) {
   if (!task.number || task.step < 0) return std::nullopt;
-  Case drawn = campaign_case(plan, *task.number).content;
-  if (!drawn.explicit_mesh) drawn.steps.resize(static_cast<std::size_t>(task.step));
-  return drawn;
+  return case_prefix(campaign_case(plan, *task.number).content, static_cast<std::size_t>(task.step));
 }
 
 /// A violation of a claim that is refuted already, if nobody named it. Nothing else is expected.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -52,6 +53,16 @@ std::string content_of_file(const std::string& path) {
   content << file.rdbuf();
   if (!file || std::filesystem::is_directory(path)) throw InputError(path + ": cannot be read");
   return content.str();
+}
+
+nlohmann::ordered_json json_of_file(const std::string& path) {
+  const std::string text = content_of_file(path);
+  try {
+    return nlohmann::ordered_json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    throw InputError(fmt::format("{}:{}: is cut off or no JSON", path, 1 + std::count(text.begin(), end, '\n')));
+  }
 }
 
 }  // namespace asts

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -28,5 +29,8 @@ class SealedLines {
 
 /// All of a file. Throws InputError when it cannot be read.
 std::string content_of_file(const std::string& path);
+
+/// The JSON value that a file is. Throws InputError "FILE:LINE: ..." when it cannot be read or is none.
+nlohmann::ordered_json json_of_file(const std::string& path);
 
 }  // namespace asts

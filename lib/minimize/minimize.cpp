@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/mesh/case_prefix.hpp"
 #include "lib/minimize/box_changes.hpp"
 #include "lib/minimize/box_search.hpp"
 #include "lib/minimize/path_passes.hpp"
@@ -9,12 +10,6 @@
 namespace asts {
 
 namespace {
-
-Case cut_behind(const Case& test_case, std::size_t steps) {
-  Case result = test_case;
-  result.steps.resize(steps);
-  return result;
-}
 
 /// No mesh of subdivisions with higher levels is made of boxes.
 constexpr std::int32_t kMostClassLevels = 12;
@@ -26,7 +21,7 @@ constexpr std::size_t kScanned = 32;
 Case first_violating(const Case& start, Oracle& oracle) {
   if (start.steps.size() <= kScanned) {
     for (std::size_t steps = 0; steps < start.steps.size(); ++steps) {
-      Case prefix = cut_behind(start, steps);
+      Case prefix = case_prefix(start, steps);
       if (oracle.asks(prefix)) return prefix;
     }
     return start;
@@ -35,9 +30,9 @@ Case first_violating(const Case& start, Oracle& oracle) {
   std::size_t violates = start.steps.size();
   while (violates - holds > 1) {
     const std::size_t middle = holds + (violates - holds) / 2;
-    (oracle.asks(cut_behind(start, middle)) ? violates : holds) = middle;
+    (oracle.asks(case_prefix(start, middle)) ? violates : holds) = middle;
   }
-  return cut_behind(start, violates);
+  return case_prefix(start, violates);
 }
 
 class Minimizer {

@@ -5,6 +5,7 @@
 
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
+#include "lib/mesh/case_prefix.hpp"
 #include "properties/ledger/mesh_features.hpp"
 
 namespace asts {
@@ -31,11 +32,7 @@ bool is_chosen(const Claim& claim, const Fingerprint& fingerprint) {
 
 }  // namespace
 
-Case TrialSubject::content() const {
-  Case prefix = whole;
-  if (!prefix.explicit_mesh) prefix.steps.resize(step);
-  return prefix;
-}
+Case TrialSubject::content() const { return case_prefix(whole, step); }
 
 void TrialSubject::looks_at(const MeshUnderTest& mesh, const Fingerprint& mesh_fingerprint) {
   const Setting& setting = mesh.mesh().setting;

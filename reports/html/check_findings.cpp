@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "lib/mesh/case_prefix.hpp"
 #include "reports/html/check_sections.hpp"
 #include "reports/html/claim_table.hpp"
 #include "reports/html/shown_mesh.hpp"
@@ -28,11 +29,17 @@ std::vector<Decided> verdicts_of(const CheckRecord& record) {
   return result;
 }
 
-/// A case violates a statement: on its first mesh that does, and on how many.
+/// A case violates a statement on a mesh.
+struct Violation {
+  std::int64_t step;
+  Decided decided;
+};
+
+/// A case violates a statement: its first mesh that does, and the verdicts on all that do, in their order.
 struct CheckFinding {
   const CheckRun::Mesh* mesh;
-  Decided decided;
-  std::vector<std::int64_t> steps;
+  Decided decided;  ///< the first of the violations
+  std::vector<Violation> violations;
 };
 
 std::vector<CheckFinding> findings_of(const CheckRun& run) {
@@ -43,7 +50,7 @@ std::vector<CheckFinding> findings_of(const CheckRun& run) {
       if (decided.verdict->outcome != Outcome::violated) continue;
       const auto [place, fresh] = places.try_emplace({mesh.place, decided.statement.id()}, findings.size());
       if (fresh) findings.push_back({&mesh, decided, {}});
-      findings[place->second].steps.push_back(mesh.record.step);
+      findings[place->second].violations.push_back({mesh.record.step, decided});
     }
   }
   return findings;
@@ -51,9 +58,9 @@ std::vector<CheckFinding> findings_of(const CheckRun& run) {
 
 std::string finding_id(std::size_t place) { return fmt::format("finding-{}", place + 1); }
 
-std::string steps_text(const std::vector<std::int64_t>& steps) {
+std::string steps_text(const std::vector<Violation>& violations) {
   std::string result;
-  for (const std::int64_t step : steps) result += (result.empty() ? "" : ", ") + std::to_string(step);
+  for (const Violation& one : violations) result += (result.empty() ? "" : ", ") + std::to_string(one.step);
   return result;
 }
 
@@ -61,8 +68,8 @@ void add_figures(HtmlNode parent, const CheckRun& run, const CheckFinding& findi
   const CheckRun::CheckedCase& checked = run.cases[finding.mesh->place];
   std::vector<std::pair<std::string, std::string>> facts{
       {"case", checked.name},
-      {"first violated after step", std::to_string(finding.steps.front())},
-      {"violated after steps", steps_text(finding.steps)}};
+      {"first violated after step", std::to_string(finding.mesh->record.step)},
+      {"violated after steps", steps_text(finding.violations)}};
   if (finding.decided.verdict->witness) facts.emplace_back("kind", kind_of(*finding.decided.verdict->witness));
   if (finding.mesh->record.mesh) facts.emplace_back("elements", std::to_string(finding.mesh->record.mesh->elements));
   if (finding.decided.statement.claim != nullptr) {
@@ -70,6 +77,19 @@ void add_figures(HtmlNode parent, const CheckRun& run, const CheckFinding& findi
   }
   facts.emplace_back("how sure its size is", "as given, not minimized: asts minimize makes it smaller");
   add_facts(parent, facts);
+}
+
+/// The witnesses on the meshes that follow, which are not drawn.
+void add_later_witnesses(HtmlNode parent, const std::string& id, const CheckFinding& finding) {
+  if (finding.violations.size() < 2) return;
+  HtmlNode details = add_details(parent, "The witnesses on the later meshes");
+  for (std::size_t i = 1; i < finding.violations.size(); ++i) {
+    const Violation& one = finding.violations[i];
+    add_paragraph(details, fmt::format("After step {}:", one.step));
+    add_lines(details, violation_text(*one.decided.verdict));
+    const std::optional<Witness>& witness = one.decided.verdict->witness;
+    if (witness) add_witness_numbers(details, fmt::format("{}-witness-{}", id, one.step), *witness);
+  }
 }
 
 void add_replay(HtmlNode parent, const CheckRun& run, const CheckFinding& finding) {
@@ -98,12 +118,13 @@ void add_finding(HtmlNode parent, const CheckRun& run, std::size_t place, const 
             fmt::format(" ({}): {}.", claim ? decided.statement.claim->source : decided.statement.property->source,
                         claim ? decided.statement.claim->statement : decided.statement.property->statement));
   add_figures(section, run, finding);
-  const Case content = prefix_of(checked.content, finding.mesh->record.step);
+  const Case content = case_prefix(checked.content, static_cast<std::size_t>(finding.mesh->record.step));
   const Witness* witness = decided.verdict->witness ? &*decided.verdict->witness : nullptr;
-  gallery.add(section, {&content, witness, fmt::format("{} after step {}", checked.name, finding.steps.front())});
+  gallery.add(section, {&content, witness, fmt::format("{} after step {}", checked.name, finding.mesh->record.step)});
   if (witness != nullptr) add_witness_numbers(section, id + "-witness", *witness);
   add_html(section, "h4", {}, "In words");
   add_lines(section, violation_text(*decided.verdict));
+  add_later_witnesses(section, id, finding);
   add_replay(section, run, finding);
 }
 

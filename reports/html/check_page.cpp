@@ -13,8 +13,7 @@ namespace {
 
 std::string lead(const CheckRun& run) {
   return fmt::format("{} decided by asts {}: {}.", counted(static_cast<long long>(run.cases.size()), "case"),
-                     run.version,
-                     counted(static_cast<long long>(run.meshes.size()), run.meshes.size() == 1 ? "mesh" : "meshe"));
+                     run.version, counted(static_cast<long long>(run.meshes.size()), "mesh", "meshes"));
 }
 
 std::int64_t count_of(const CheckRun& run, Outcome outcome) {
@@ -75,12 +74,6 @@ std::vector<std::int64_t> checked_steps(const Case& content, bool final_only) {
   std::vector<std::int64_t> steps;
   for (std::int64_t step = final_only ? last : 0; step <= last; ++step) steps.push_back(step);
   return steps;
-}
-
-Case prefix_of(const Case& content, std::int64_t step) {
-  Case prefix = content;
-  if (!content.explicit_mesh) prefix.steps.resize(static_cast<std::size_t>(step));
-  return prefix;
 }
 
 std::size_t CheckRun::asked() const {

@@ -38,9 +38,6 @@ struct CheckRun {
 /// The steps of a case of which `asts check` decides the meshes.
 std::vector<std::int64_t> checked_steps(const Case& content, bool final_only);
 
-/// The case as far as a mesh of its sequence.
-Case prefix_of(const Case& content, std::int64_t step);
-
 /// The report of a run of `asts check`: one HTML page that needs no other file. Depends on the arguments alone.
 /// `version` is that of the program that draws the pictures. Cost: that of the pictures, one or a few for each case and
 /// statement that it violates.

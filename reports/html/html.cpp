@@ -124,8 +124,9 @@ void add_facts(HtmlNode parent, const std::vector<std::pair<std::string, std::st
   }
 }
 
-std::string counted(long long number, const char* word) {
-  return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+std::string counted(long long number, const std::string& one, const std::string& many) {
+  if (number == 1) return "1 " + one;
+  return fmt::format("{} {}", number, many.empty() ? one + "s" : many);
 }
 
 std::string percent(long long part, long long whole) {

@@ -56,8 +56,8 @@ void add_table(HtmlNode parent, const HtmlTable& table);
 /// Names with their values: `dl`.
 void add_facts(HtmlNode parent, const std::vector<std::pair<std::string, std::string>>& facts);
 
-/// "1 case", "2 cases".
-std::string counted(long long number, const char* word);
+/// "1 case", "2 cases"; `many` where an s does not make the plural: "2 meshes".
+std::string counted(long long number, const std::string& one, const std::string& many = {});
 
 /// A part of a whole: "27.2 %", rounded down to a tenth; "-" of nothing.
 std::string percent(long long part, long long whole);

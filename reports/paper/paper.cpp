@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "lib/exact/errors.hpp"
+#include "lib/mesh/case_prefix.hpp"
 #include "lib/refine/replay.hpp"
 
 namespace asts {
@@ -44,8 +45,7 @@ std::string fill_page(const std::string& page, const Paper& paper) {
 }
 
 RefinementTree mesh_after(const Case& sequence, std::size_t steps) {
-  Case part = sequence;
-  part.steps.resize(steps);
+  const Case part = case_prefix(sequence, steps);
   Replay replay(part);
   while (!replay.done()) replay.advance();
   return replay.tree();

@@ -59,8 +59,8 @@ struct MeshVtu {
 /// | `kind` | as above |
 /// | `level` | of an element (Definition 2.2); NaN where it is no integer, and for cells of other kinds |
 /// | `support` | with a chosen node: 1 for elements that share volume with supp B_v, and for the lattice |
-/// | `witness` | with a witness that names boxes: for an element the number, from 1, of the first that it shares volume
-/// with | | `perturbed_x`, ... | when chosen: 1 for the closed elements that meet R_x (Definition 5.1) |
+/// | `witness` | with a witness that names boxes: for an element the number, from 1, of the first box it overlaps |
+/// | `perturbed_x`, ... | when chosen: 1 for the closed elements that meet R_x (Definition 5.1) |
 ///
 /// | point data | |
 /// |---|---|
@@ -74,8 +74,8 @@ struct MeshVtu {
 /// | `degree`, `grading`, `domain`, `elements`, `active_nodes` | |
 /// | `vectors_x`, ... | each index vector once: p+2 coordinates a row; missing when some vector does not exist |
 /// | `chosen_node` | its coordinates |
-/// | `statement`, `verdict`, `witness_kind`, `witness_boxes`, `witness_nodes`, `witness_points` | words; the names that
-/// the number `witness` counts |
+/// | `statement`, `verdict`, `witness_kind` | words |
+/// | `witness_boxes`, `witness_nodes`, `witness_points` | the names that the number `witness` counts |
 ///
 /// What is rounded: coordinates and values of B_v, computed exactly, become float64 here, towards zero, for drawing
 /// alone. In a deep mesh different points may then coincide and voxels have no volume. Which cells, points and

@@ -7,13 +7,12 @@ report_test.py ASTS CASES: the program, and the folder tests/cases.
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from fractions import Fraction
 
-from browser import Browser, Page
 from page_checks import check_everywhere, check_structure
-from page_data import AXES, meshes_of
+from page_data import AXES
+from page_test_case import PageTestCase
 from view_checks import check_camera, check_picked, check_slice
 from view_driver import View
 
@@ -32,41 +31,26 @@ class ReportPage:
     """A page of a run directory that `make_run` fills; least_* say that the run has what is to be looked at."""
 
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        run = os.path.join(cls.folder.name, "run")
+    def make_page(cls):
+        run = os.path.join(cls.folder, "run")
         cls.make_run(run)
-        cls.path = os.path.join(cls.folder.name, "report.html")
         asts("report", run, "-o", cls.path)
-        cls.meshes = meshes_of(cls.path)
-        cls.browser = Browser()
-        cls.page = Page(cls.browser, 1400)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.folder.cleanup()
 
     def test_nothing_is_outside_and_nothing_complains(self):
         check_everywhere(self, self.page, self.path)
 
     def test_headings_tables_and_pictures_are_real(self):
-        self.page.media("screen")
-        self.page.resize(800)
-        self.page.open(self.path)
+        self.open(width=800)
         check_structure(self, self.page)
 
     def test_every_mesh_is_shown_as_it_is(self):
         self.assertGreaterEqual(len(self.meshes), self.least_meshes)
-        self.page.media("screen")
-        self.page.resize(1400)
-        self.page.open(self.path)
+        self.open()
         pairs = 0
         for figure, mesh in self.meshes.items():
             with self.subTest(figure=figure):
                 pairs += self.drive(View(self.page, figure), mesh)
         self.assertGreaterEqual(pairs, self.least_pairs)
-        self.assertEqual((self.page.problems(), self.page.requests()), ([], []))
 
     def drive(self, view, mesh):
         """Turn, slice, pick; returns whether there was something violated to pick."""
@@ -89,7 +73,7 @@ class ReportPage:
         return 1
 
 
-class CampaignReport(ReportPage, unittest.TestCase):
+class CampaignReport(ReportPage, PageTestCase):
     least_meshes, least_pairs = 1, 1
 
     @classmethod
@@ -97,12 +81,12 @@ class CampaignReport(ReportPage, unittest.TestCase):
         asts("campaign", "--claim", "as-implies-dc", "--cases", "128", "--seed", "1", "--out", run, may_find=True)
 
 
-class CheckReport(ReportPage, unittest.TestCase):
+class CheckReport(ReportPage, PageTestCase):
     least_meshes, least_pairs = 2, 1
 
     @classmethod
     def make_run(cls, run):
-        sphere = os.path.join(cls.folder.name, "sphere.case")
+        sphere = os.path.join(cls.folder, "sphere.case")
         with open(sphere, "wb") as file:
             file.write(asts("generate", "sphere", "--domain", "8,8,8", "--elements", "1500"))
         asts("check", "--final", "--out", run, sphere, os.path.join(CASES, "planar", "published-bad-tmesh.case"),

@@ -8,15 +8,13 @@ import math
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from fractions import Fraction
 
-from browser import Browser, Page
 from page_checks import check_everywhere
-from page_data import AXES, meshes_of
+from page_data import AXES
+from page_test_case import PageTestCase
 from view_checks import check_camera, check_picked, check_slice
-from view_driver import View
 
 MAKE_VIEW_PAGE = ""
 HEAD = "asts-case 1\ndegree 3 3 3\ngrading 2\ndomain "
@@ -30,37 +28,19 @@ CASES = {
 }
 
 
-class Unusual(unittest.TestCase):
+class Unusual(PageTestCase):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
+    def make_page(cls):
         words = []
         for name, text in CASES.items():
-            words += [os.path.join(cls.folder.name, f"{name}.case"), "-"]
+            words += [os.path.join(cls.folder, f"{name}.case"), "-"]
             with open(words[-2], "w", encoding="utf-8") as file:
                 file.write(text)
-        cls.path = os.path.join(cls.folder.name, "page.html")
         with open(cls.path, "w", encoding="utf-8") as file:
             subprocess.run([MAKE_VIEW_PAGE, *words], stdout=file, check=True)
-        cls.meshes = dict(zip(CASES, meshes_of(cls.path).values()))
-        cls.browser = Browser()
-        cls.page = Page(cls.browser, 1400)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.page.media("screen")
-        self.page.resize(1400)
-        self.page.open(self.path)
-
-    def tearDown(self):
-        self.assertEqual((self.page.problems(), self.page.requests()), ([], []))
 
     def view(self, name):
-        return View(self.page, f"view-{list(CASES).index(name) + 1}"), self.meshes[name]
+        return self.open_view(f"view-{list(CASES).index(name) + 1}")
 
     def test_nothing_is_outside_and_nothing_complains(self):
         check_everywhere(self, self.page, self.path)

@@ -6,49 +6,27 @@ view_test.py MAKE_VIEW_PAGE FINDINGS: the program that prints pages, and the fol
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from fractions import Fraction
 
-from browser import Browser, Page
 from page_checks import check_everywhere
-from page_data import AXES, exact, meshes_of
+from page_data import AXES, exact
+from page_test_case import PageTestCase
 from view_checks import check_camera, check_picked, check_slice
-from view_driver import View
 
 MAKE_VIEW_PAGE, FINDINGS = "", ""
 
 
-class OnePage(unittest.TestCase):
+class OnePage(PageTestCase):
     """A page with three meshes: a violated pair, regions that meet, none of them."""
 
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.path = os.path.join(cls.folder.name, "page.html")
+    def make_page(cls):
         finding = lambda name: os.path.join(FINDINGS, name)
         with open(cls.path, "w", encoding="utf-8") as file:
             subprocess.run([MAKE_VIEW_PAGE, finding("as-implies-dc.case"), "dual-compatible",
                             finding("dc-implies-as.case"), "dc-implies-as", finding("as-implies-dc.case"), "-"],
                            stdout=file, check=True)
-        cls.meshes = meshes_of(cls.path)
-        cls.browser = Browser()
-        cls.page = Page(cls.browser, 1400)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.folder.cleanup()
-
-    def open(self, figure="view-1", width=1400):
-        self.page.media("screen")
-        self.page.resize(width)
-        self.page.open(self.path)
-        return View(self.page, figure), self.meshes[figure]
-
-    def tearDown(self):
-        self.assertEqual(self.page.problems(), [])
-        self.assertEqual(self.page.requests(), [])
 
 
 class Layout(OnePage):
@@ -74,7 +52,7 @@ class Layout(OnePage):
             self.page.call("Emulation.setScriptExecutionDisabled", value=False)
 
     def test_every_control_has_a_name_and_the_tab_key_reaches_them(self):
-        view, _ = self.open()
+        view, _ = self.open_view()
         unnamed = self.page.evaluate("""[...document.querySelectorAll('#view-1 button, #view-1 input')].filter(e =>
             !(e.getAttribute('aria-label') || e.textContent || e.closest('label')?.textContent)).length""")
         self.assertEqual(unnamed, 0)
@@ -91,7 +69,7 @@ class Layout(OnePage):
 class Slice(OnePage):
     def test_the_slider_moves_through_every_line_and_every_gap(self):
         for figure in ("view-1", "view-2"):
-            view, mesh = self.open(figure)
+            view, mesh = self.open_view(figure)
             for axis in range(3):
                 view.choose_axis(AXES[axis])
                 view.press_on(".mesh-view-slider", "Home")
@@ -107,7 +85,7 @@ class Slice(OnePage):
                 self.assertEqual(view.slice_index, str(len(places) - 1), "the slider ends at the last line")
 
     def test_elements_have_the_colour_of_their_level(self):
-        view, mesh = self.open()
+        view, mesh = self.open_view()
         view.show(nodes=False, regions=False, active=False)
         legend = view.legend_colours()
         self.assertEqual(sorted(legend), sorted({element[2] for element in mesh.elements}))
@@ -131,7 +109,7 @@ class Slice(OnePage):
 
 class Turn(OnePage):
     def test_keys_and_dragging_turn_it(self):
-        view, mesh = self.open()
+        view, mesh = self.open_view()
         check_camera(self, view, mesh)
         yaw, image = float(view.yaw), view.image()
         view.press_on("canvas", "ArrowRight", "ArrowRight", "ArrowUp")
@@ -149,7 +127,7 @@ class Turn(OnePage):
         self.assertEqual(view.image(), image, "the same state, the same picture")
 
     def test_buttons_turn_and_zoom(self):
-        view, mesh = self.open()
+        view, mesh = self.open_view()
         before = check_camera(self, view, mesh)
         view.click_on("[title='Zoom in']")
         self.assertAlmostEqual(check_camera(self, view, mesh), 1.25 * before, places=6)
@@ -164,7 +142,7 @@ class Turn(OnePage):
 class Pick(OnePage):
     def test_a_click_picks_the_node_that_is_drawn_there(self):
         for figure in ("view-1", "view-2"):
-            view, mesh = self.open(figure)
+            view, mesh = self.open_view(figure)
             for axis in range(3):
                 view.choose_axis(AXES[axis])
                 view.click_on(".mesh-view-face")
@@ -178,7 +156,7 @@ class Pick(OnePage):
                     check_picked(self, view, mesh, [node])
 
     def test_buttons_keys_and_the_number_pick(self):
-        view, mesh = self.open("view-2")
+        view, mesh = self.open_view("view-2")
         view.click_on("[title='Next node']")
         check_picked(self, view, mesh, [0])
         view.press_on("canvas", "n", "n")
@@ -193,7 +171,7 @@ class Pick(OnePage):
         check_picked(self, view, mesh, [3])
 
     def test_a_picked_node_is_drawn_with_its_support(self):
-        view, mesh = self.open()
+        view, mesh = self.open_view()
         view.click_on("[title='Next node']")
         view.click_on(".mesh-view-face")
         with_node = view.image()
@@ -206,7 +184,7 @@ class Pick(OnePage):
         self.assertNotEqual(view.colours_at([middle]), [[204, 121, 167]])
 
     def test_zooming_to_it_fills_the_canvas_with_the_support(self):
-        view, mesh = self.open()
+        view, mesh = self.open_view()
         view.click_on("[title='Next node']")
         view.click_on(".mesh-view-near")
         low, high = zip(*mesh.support(0))
@@ -217,7 +195,7 @@ class Pick(OnePage):
 
     def test_one_button_picks_the_violated_pair(self):
         for figure in ("view-1", "view-2"):
-            view, mesh = self.open(figure)
+            view, mesh = self.open_view(figure)
             self.assertEqual(view.picked_node, "")
             view.click_on(".mesh-view-witness")
             names = mesh.json["marks"]["nodes"]
@@ -228,11 +206,11 @@ class Pick(OnePage):
             self.assertIn(mesh.json["says"], view.text(".mesh-view-says"))
             for point in mesh.json["marks"]["points"]:
                 self.assertIn("(" + ", ".join(point["at"]) + ")", view.text(".mesh-view-says"))
-        view, _ = self.open("view-3")
+        view, _ = self.open_view("view-3")
         self.assertEqual(view.texts(".mesh-view-witness"), [], "nothing is violated: no button")
 
     def test_perturbed_regions_have_their_colours_where_they_are(self):
-        view, mesh = self.open("view-2")
+        view, mesh = self.open_view("view-2")
         view.show(nodes=False, active=False)
         view.choose_axis("x")
         regions = mesh.json["regions"]
