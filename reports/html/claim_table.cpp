@@ -35,14 +35,12 @@ std::vector<HtmlCell> row(const LedgerRecord& record) {
   return cells;
 }
 
-/// Claims by what their decided trials were drawn for, or had; nothing when there is nothing to say.
-void add_tally_table(HtmlNode parent, const char* id, const char* caption, std::span<const LedgerRecord> records,
-                     const Tally LedgerRecord::*tally) {
-  std::set<std::string> names;
-  for (const LedgerRecord& record : records) {
-    for (const auto& [name, count] : record.*tally) names.insert(name);
-  }
-  if (names.empty()) return;
+/// More columns of numbers do not fit on paper.
+constexpr std::size_t kMostColumns = 13;
+
+void add_tally_table(HtmlNode parent, const std::string& id, const std::string& caption,
+                     std::span<const LedgerRecord> records, const Tally LedgerRecord::*tally,
+                     std::span<const std::string> names) {
   HtmlTable table{id, caption, {"claim"}, {}};
   table.columns.insert(table.columns.end(), names.begin(), names.end());
   for (const LedgerRecord& record : records) {
@@ -54,6 +52,24 @@ void add_tally_table(HtmlNode parent, const char* id, const char* caption, std::
     }
   }
   add_table(parent, table);
+}
+
+/// Claims by what their decided trials were drawn for, or had; nothing when there is nothing to say.
+void add_tally_tables(HtmlNode parent, const std::string& id, const std::string& caption,
+                      std::span<const LedgerRecord> records, const Tally LedgerRecord::*tally) {
+  std::set<std::string> all;
+  for (const LedgerRecord& record : records) {
+    for (const auto& [name, count] : record.*tally) all.insert(name);
+  }
+  const std::vector<std::string> names(all.begin(), all.end());
+  const std::size_t tables = (names.size() + kMostColumns - 1) / kMostColumns;
+  for (std::size_t i = 0; i < tables; ++i) {
+    const std::size_t begin = i * names.size() / tables;
+    const std::size_t end = (i + 1) * names.size() / tables;
+    const std::string part = tables > 1 ? fmt::format(", part {} of {}", i + 1, tables) : "";
+    add_tally_table(parent, fmt::format("{}-{}", id, i + 1), caption + part, records, tally,
+                    std::span(names).subspan(begin, end - begin));
+  }
 }
 
 }  // namespace
@@ -116,9 +132,9 @@ void add_claim_tables(HtmlNode parent, std::span<const LedgerRecord> records) {
   HtmlNode list = add_html(parent, "dl");
   for (const LedgerRecord& record : records) add_statement(list, record.claim);
   HtmlNode trials = add_details(parent, "Where decided trials came from");
-  add_tally_table(trials, "claim-biases", "Decided trials by what their case was drawn to provoke", records,
-                  &LedgerRecord::biases);
-  add_tally_table(trials, "claim-features", "Decided trials by what their mesh has", records, &LedgerRecord::features);
+  add_tally_tables(trials, "claim-biases", "Decided trials by what their case was drawn to provoke", records,
+                   &LedgerRecord::biases);
+  add_tally_tables(trials, "claim-features", "Decided trials by what their mesh has", records, &LedgerRecord::features);
 }
 
 }  // namespace asts

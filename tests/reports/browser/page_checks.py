@@ -25,15 +25,21 @@ OUTSIDE = """(() => {
   return found;
 })()"""
 
+OPEN_DETAILS = "document.querySelectorAll('details').forEach((details) => { details.open = true; })"
+
 
 def check_everywhere(test, page, path):
-    """Opens the page at all widths, light and dark, and in print: `test` is a unittest.TestCase."""
+    """Opens the page at all widths, light and dark, and in print, with what is closed and without: `test` is a
+    unittest.TestCase."""
     for scheme in ("light", "dark"):
         for width in WIDTHS:
             with test.subTest(page=path, width=width, scheme=scheme):
                 page.media("screen", scheme)
                 page.resize(width)
                 page.open(path)
+                check_opened(test, page)
+                page.evaluate(OPEN_DETAILS)
+                page.settle()
                 check_opened(test, page)
     with test.subTest(page=path, media="print"):
         page.media("print")
