@@ -70,16 +70,22 @@ std::vector<RefinementTree::Seen> RefinementTree::look_at(std::span<const std::i
   std::vector<Seen> seen(at(jobs), nothing);
   for_chunks(jobs, leaves.size(), [&](std::size_t begin, std::size_t end, int worker) {
     Seen& mine = seen[at(worker)];
+    std::int32_t max_level = 0;  // these apart from those of other threads
+    std::int64_t unit_cubes = 0;
+    bool all_marked = true;
     for (std::size_t i = begin; i < end; ++i) {
       if (i + kAhead < end) prefetch(leaves[i + kAhead]);
       ensure(is_leaf(leaves[i]) && level(leaves[i]) >= 0, "only a leaf is subdivided");
       const Axis axis = split_axis(leaves[i]);
       const std::int32_t side = cell(leaves[i], axis);
       if (!grid(axis).has_children(side)) mine.split[at(axis)][at(side)] = 1;
-      mine.max_level = std::max(mine.max_level, level(leaves[i]) + 1);
-      mine.unit_cubes += level(leaves[i]) == 0 ? 1 : 0;
-      mine.all_marked = mine.all_marked && coarsest_[at(leaves[i])] == kNoLevel;
+      max_level = std::max(max_level, level(leaves[i]) + 1);
+      unit_cubes += level(leaves[i]) == 0 ? 1 : 0;
+      all_marked = all_marked && coarsest_[at(leaves[i])] == kNoLevel;
     }
+    mine.max_level = std::max(mine.max_level, max_level);
+    mine.unit_cubes += unit_cubes;
+    mine.all_marked = mine.all_marked && all_marked;
   });
   return seen;
 }

@@ -28,13 +28,15 @@ std::vector<std::vector<std::int32_t>> inner_elements(const RefinementTree& tree
   constexpr std::size_t kChunk = 1 << 15;
   const std::size_t nodes = at(tree.node_count());
   using ByLevel = std::vector<std::vector<std::int32_t>>;
-  std::vector<ByLevel> parts((nodes + kChunk - 1) / kChunk, ByLevel(at(tree.max_level()) + 1));
+  std::vector<ByLevel> parts((nodes + kChunk - 1) / kChunk);
   parallel_for(jobs, parts.size(), [&](std::size_t chunk, int) {
+    ByLevel own(at(tree.max_level()) + 1);
     const std::size_t end = std::min(nodes, (chunk + 1) * kChunk);
     for (std::size_t node = chunk * kChunk; node < end; ++node) {
       const auto id = static_cast<std::int32_t>(node);
-      if (tree.level(id) > 0 && !tree.is_leaf(id)) parts[chunk][at(tree.level(id))].push_back(id);
+      if (tree.level(id) > 0 && !tree.is_leaf(id)) own[at(tree.level(id))].push_back(id);
     }
+    parts[chunk] = std::move(own);
   });
   ByLevel inner = std::move(parts.front());
   for (std::size_t chunk = 1; chunk < parts.size(); ++chunk) {

@@ -33,11 +33,13 @@ void Clusters::gather(std::span<const std::int32_t> elements, int jobs) {
   std::vector<std::vector<Cluster>> parts((elements.size() + kChunk - 1) / kChunk);
   parallel_for(jobs, parts.size(), [&](std::size_t chunk, int) {
     Path path;
+    std::vector<Cluster> own;
     const std::size_t end = std::min(elements.size(), (chunk + 1) * kChunk);
     for (std::size_t i = chunk * kChunk; i < end; ++i) {
       if (i + kAhead < end) tree_.prefetch(elements[i + kAhead]);
-      add_member(elements[i], path, parts[chunk]);
+      add_member(elements[i], path, own);
     }
+    parts[chunk] = std::move(own);
   });
   for (const std::vector<Cluster>& of_chunk : parts) {
     for (const Cluster& part : of_chunk) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/refine/patch_search.hpp"
+#include "lib/threads/apart.hpp"
 #include "lib/threads/parallel_for.hpp"
 
 namespace asts {
@@ -65,13 +66,15 @@ std::vector<std::int32_t> mark_coarser(RefinementTree& tree, std::span<const std
   const Clusters clusters(tree, shape, elements, jobs);
   const std::vector<std::int32_t> blocks = blocks_of(tree, kBlocksPerJob * at(jobs));
   std::vector<std::vector<Find>> finds(blocks.size());
-  std::vector<PatchSearch> searches(at(jobs), PatchSearch(tree));
+  std::vector<Apart<PatchSearch>> searches(at(jobs), {PatchSearch(tree)});
   parallel_for(jobs, blocks.size(), [&](std::size_t i, int worker) {
-    searches[at(worker)].coarser_below(blocks[i], shape, clusters, [&](const PatchSearch::Coarser& coarser) {
-      finds[i].push_back({coarser.entry, coarser.first_bit(), coarser.leaf});
+    std::vector<Find> own;
+    searches[at(worker)].own.coarser_below(blocks[i], shape, clusters, [&](const PatchSearch::Coarser& coarser) {
+      own.push_back({coarser.entry, coarser.first_bit(), coarser.leaf});
       tree.mark_below(blocks[i], coarser.leaf);
       return true;
     });
+    finds[i] = std::move(own);
   });
   for (const std::int32_t block : blocks) tree.carry_up(block);
   return merged(finds, clusters.entries().size());

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace asts {
@@ -13,7 +14,10 @@ void for_each_bit(std::uint64_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// Sets of small numbers, one a row, as words of bits.
+/// A set of small numbers as words of bits.
+using BitSet = std::span<const std::uint64_t>;
+
+/// Sets of small numbers, one a row.
 class BitRows {
  public:
   void reset(std::size_t rows, std::size_t columns) {
@@ -29,6 +33,7 @@ class BitRows {
   void unite(std::size_t row, const BitRows& other, std::size_t other_row) {
     for (std::size_t i = 0; i < words_; ++i) bits_[row * words_ + i] |= other.bits_[other_row * words_ + i];
   }
+  BitSet operator[](std::size_t row) const { return {bits_.data() + row * words_, words_}; }
   bool any(std::size_t row) const {
     for (std::size_t i = 0; i < words_; ++i) {
       if (bits_[row * words_ + i] != 0) return true;

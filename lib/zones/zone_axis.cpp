@@ -70,11 +70,13 @@ bool ZoneAxis::find_failures() {
   return true;
 }
 
-bool ZoneAxis::evaluate(const VectorStore& store, std::size_t x, std::size_t x_tilde) {
+void ZoneAxis::evaluate(const VectorStore& store, std::size_t x, std::size_t x_tilde) {
+  asked_.set(x, x_tilde);
+  const RankInterval& a = vectors_[x].range;
+  const RankInterval& b = vectors_[x_tilde].range;
+  if (a.lower >= b.upper || b.lower >= a.upper) return;  // DualFunctional, law 3
   const FactorTable::Factor factor = factors_.of(store, ids_[x], ids_[x_tilde]);
-  const bool zero = factor.known && factor.zero;
-  asked_[x * ids_.size() + x_tilde] = zero ? 1 : 2;
-  return !zero;
+  if (!factor.known || !factor.zero) nonzero_.set(x, x_tilde);
 }
 
 }  // namespace asts

@@ -41,29 +41,36 @@ class ZoneAxis {
   std::size_t size() const { return ids_.size(); }
   std::int32_t id(std::size_t number) const { return ids_[number]; }
   std::size_t line_count() const { return ranks_.size(); }
-  bool fails(std::size_t one, std::size_t other) const { return failures_.test(one, other); }
+  /// The vectors that one fails to overlap. REQUIRES: find_failures() has found some.
+  BitSet failures(std::size_t one) const { return failures_[one]; }
   bool fails_anywhere(std::size_t one) const { return failing_[one]; }
 
-  /// Whether the interiors of the ranges meet.
-  bool meet(std::size_t one, std::size_t other) const {
-    const RankInterval& a = vectors_[one].range;
-    const RankInterval& b = vectors_[other].range;
-    return a.lower < b.upper && b.lower < a.upper;
-  }
+  /// The gaps between neighbouring lines of the box that a vector's range contains, as the bits of their upper lines.
+  /// In the box, two ranges' interiors meet exactly if they have a gap in common.
+  std::uint64_t gaps(std::size_t number) const { return reached(number) & (reached(number) - 1); }
   /// The lines of the box that are entries of a vector, and those in its closed range, as bits.
   std::uint64_t entries(std::size_t number) const { return vectors_[number].entries; }
   std::uint64_t reached(std::size_t number) const { return vectors_[number].reached; }
   /// The lines of the box in the active region.
   std::uint64_t active() const { return active_; }
 
-  /// Whether lambda_X(N_X~) differs from 0, or is not known to be 0. Evaluated when first asked for.
-  bool nonzero(const VectorStore& store, std::size_t x, std::size_t x_tilde) {
-    if (!meet(x, x_tilde)) return false;  // DualFunctional, law 3
-    const std::uint8_t known = asked_[x * ids_.size() + x_tilde];
-    return known == 0 ? evaluate(store, x, x_tilde) : known == 2;
+  /// Whether all of visit(X~) are true, for the X~ of a set for which lambda_X(N_X~) differs from 0, or is not known to
+  /// be 0. Evaluated when first asked for.
+  template <typename Visit>
+  bool all_nonzero(const VectorStore& store, std::size_t x, BitSet set, const Visit& visit) {
+    for (std::size_t word = 0; word < set.size(); ++word) {
+      for_each_bit(set[word] & ~asked_[x][word], [&](std::size_t bit) { evaluate(store, x, 64 * word + bit); });
+      for (std::uint64_t left = set[word] & nonzero_[x][word]; left != 0; left &= left - 1) {
+        if (!visit(64 * word + static_cast<std::size_t>(std::countr_zero(left)))) return false;
+      }
+    }
+    return true;
   }
   bool is_one(const VectorStore& store, std::size_t x) { return factors_.of(store, ids_[x], ids_[x]).one; }
-  void forget_factors() { asked_.assign(ids_.size() * ids_.size(), 0); }
+  void forget_factors() {
+    asked_.reset(ids_.size(), ids_.size());
+    nonzero_.reset(ids_.size(), ids_.size());
+  }
 
  private:
   struct Vector {
@@ -71,7 +78,7 @@ class ZoneAxis {
     std::uint64_t entries;
     std::uint64_t reached;
   };
-  bool evaluate(const VectorStore& store, std::size_t x, std::size_t x_tilde);
+  void evaluate(const VectorStore& store, std::size_t x, std::size_t x_tilde);
   std::uint64_t between(const RankInterval& ranks) const;
 
   RankInterval box_;
@@ -84,7 +91,8 @@ class ZoneAxis {
   BitRows having_;
   BitRows lacking_;
   std::vector<bool> failing_;
-  std::vector<std::uint8_t> asked_;  ///< 0: not asked; 1: zero; 2: not zero
+  BitRows asked_;    ///< for each X the X~ whose factor was asked for
+  BitRows nonzero_;  ///< and is not known to be 0
   FactorTable factors_;
 };
 

@@ -9,6 +9,17 @@ namespace {
 
 constexpr std::size_t kLines = ZoneAxis::kMostLines;
 
+/// Whether all of visit(number) are true, for the numbers that are in both sets.
+template <typename Visit>
+bool all_common(BitSet one, BitSet other, const Visit& visit) {
+  for (std::size_t word = 0; word < one.size(); ++word) {
+    for (std::uint64_t left = one[word] & other[word]; left != 0; left &= left - 1) {
+      if (!visit(64 * word + static_cast<std::size_t>(std::countr_zero(left)))) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 ZoneCheck::ZoneCheck(const RefinementTree& tree, const std::vector<VectorStore>& stores, const ZoneLimits& limits)
@@ -66,6 +77,7 @@ void ZoneCheck::group_by(Axis axis) {
   } else {
     group_by(axis, asked_, asked_row_);
   }
+  index_groups(axis);
 }
 
 /// Counting sorts by one vector after the other.
@@ -104,48 +116,44 @@ void ZoneCheck::group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& no
   }
 }
 
-/// The pairs of two lists of vectors that are in a relation, found once for each pair of lists.
-template <typename Relation>
-const ZoneCheck::Pairs& ZoneCheck::related(std::int32_t one, std::int32_t other, const Relation& relation) {
-  const std::int32_t place = known_pairs_.get(one, other, [&] {
-    Pairs pairs;
-    const auto first = seconds_[one];
-    const auto second = seconds_[other];
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      for (std::size_t j = 0; j < second.size(); ++j) {
-        if (relation(at(first[i]), at(second[j]))) {
-          pairs.emplace_back(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
-        }
-      }
-    }
-    pairs_.push_back(std::move(pairs));
-    return static_cast<std::int32_t>(pairs_.size() - 1);
-  });
-  return pairs_[at(place)];
-}
-
-/// Whether two columns have nodes whose supports' interiors meet along the column.
-bool ZoneCheck::interiors_meet(std::int32_t one, std::int32_t other, const ZoneAxis& along) const {
-  for (const std::int32_t i : columns_[one]) {
-    for (const std::int32_t j : columns_[other]) {
-      if (along.meet(at(i), at(j))) return true;
-    }
-  }
-  return false;
-}
-
-bool ZoneCheck::rows_compatible(Axis axis, std::int32_t one, std::int32_t other) {
+/// Writes lists of vectors as sets, and what the columns of a row are.
+void ZoneCheck::index_groups(Axis axis) {
   const ZoneAxis& second = axes_[at(axis_after(axis))];
   const ZoneAxis& third = axes_[at(axis_after(axis_after(axis)))];
-  const auto first_row = rows_[one];
-  const auto other_row = rows_[other];
-  const Pairs& failing =
-      related(first_row[0], other_row[0], [&](std::size_t y, std::size_t w) { return second.fails(y, w); });
-  return std::none_of(failing.begin(), failing.end(), [&](const auto& pair) {
-    const std::int32_t column = first_row[at(pair.first) + 1];
-    const std::int32_t other_column = other_row[at(pair.second) + 1];
-    return known_meetings_.get(column, other_column, [&] { return interiors_meet(column, other_column, third); });
-  });
+  second_sets_.reset(at(seconds_.size()), second.size());
+  for (std::int32_t list = 0; list < seconds_.size(); ++list) {
+    for (const std::int32_t y : seconds_[list]) second_sets_.set(at(list), at(y));
+  }
+  column_sets_.reset(at(columns_.size()), third.size());
+  column_gaps_.assign(at(columns_.size()), 0);
+  for (std::int32_t column = 0; column < columns_.size(); ++column) {
+    for (const std::int32_t z : columns_[column]) {
+      column_sets_.set(at(column), at(z));
+      column_gaps_[at(column)] |= third.gaps(at(z));
+    }
+  }
+  column_of_.resize(at(rows_.size()) * second.size());
+  for (std::int32_t row = 0; row < rows_.size(); ++row) {
+    const auto seconds = seconds_[rows_[row][0]];
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+      column_of_[at(row) * second.size() + at(seconds[i])] = rows_[row][i + 1];
+    }
+  }
+}
+
+/// Whether no vectors of two rows along the next axis fail to overlap in columns whose supports' interiors meet.
+bool ZoneCheck::rows_compatible(Axis axis, std::int32_t one, std::int32_t other) const {
+  const ZoneAxis& second = axes_[at(axis_after(axis))];
+  const BitSet others = second_sets_[at(rows_[other][0])];
+  const std::int32_t* const column_of = column_of_.data() + at(other) * second.size();
+  const auto seconds = seconds_[rows_[one][0]];
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    const std::uint64_t gaps = column_gaps_[at(rows_[one][i + 1])];
+    const bool apart = all_common(second.failures(at(seconds[i])), others,
+                                  [&](std::size_t y) { return (gaps & column_gaps_[at(column_of[y])]) == 0; });
+    if (!apart) return false;
+  }
+  return true;
 }
 
 /// Whether no two nodes, the one asked, with supports that meet in positive volume fail to overlap along this axis and
@@ -153,62 +161,75 @@ bool ZoneCheck::rows_compatible(Axis axis, std::int32_t one, std::int32_t other)
 bool ZoneCheck::compatible(Axis axis) {
   const ZoneAxis& first = axes_[at(axis)];
   const bool all = asked_.size() == nodes_.size();
-  known_rows_.clear();
-  known_pairs_.clear();
-  known_meetings_.clear();
-  pairs_.clear();
+  compatible_rows_.reset(at(rows_.size()), at(rows_.size()));
+  const BitSet with_rows = numbers_with(row_);
   for (std::size_t x = 0; x < first.size(); ++x) {
     const std::int32_t one = asked_row_[x];
     if (one < 0 || !first.fails_anywhere(x)) continue;
-    for (std::size_t other = all ? x + 1 : 0; other < first.size(); ++other) {
-      if (row_[other] < 0 || !first.fails(x, other)) continue;
-      if (!known_rows_.get(one, row_[other], [&] { return rows_compatible(axis, one, row_[other]); })) return false;
-    }
+    const bool good = all_common(first.failures(x), with_rows, [&](std::size_t other) {
+      const std::int32_t two = row_[other];
+      if ((all && other < x) || compatible_rows_.test(at(one), at(two))) return true;
+      compatible_rows_.set(at(one), at(two));
+      return rows_compatible(axis, one, two);
+    });
+    if (!good) return false;
   }
   return true;
+}
+
+/// The vectors that have a row, as a set that is there until the next call.
+BitSet ZoneCheck::numbers_with(const std::vector<std::int32_t>& row) {
+  with_rows_.reset(1, row.size());
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    if (row[x] >= 0) with_rows_.set(0, x);
+  }
+  return with_rows_[0];
 }
 
 /// Whether lambda_v(B_w) = 0 for v in one column and w in another, v not w, when the other two factors are not 0.
 bool ZoneCheck::dual_columns(std::int32_t one, std::int32_t other, bool same) {
   ZoneAxis& third = axes_[kDimension - 1];
-  for (const std::int32_t i : columns_[one]) {
-    for (const std::int32_t j : columns_[other]) {
-      if (same && i == j) continue;  // v = w
-      if (third.nonzero((*stores_)[kDimension - 1], at(i), at(j))) return false;
-    }
-  }
-  return true;
+  const auto column = columns_[one];
+  return std::all_of(column.begin(), column.end(), [&](std::int32_t z) {
+    return third.all_nonzero((*stores_)[kDimension - 1], at(z), column_sets_[at(other)],
+                             [&](std::size_t z_tilde) { return same && at(z) == z_tilde; });  // v = w
+  });
 }
 
 /// The same for rows, when the factor along the first axis is not 0.
 bool ZoneCheck::dual_rows(std::int32_t one, std::int32_t other, bool same) {
-  const auto first_row = rows_[one];
-  const auto other_row = rows_[other];
-  const auto seconds = seconds_[first_row[0]];
-  const auto other_seconds = seconds_[other_row[0]];
-  const Pairs& nonzero = related(first_row[0], other_row[0], [&](std::size_t y, std::size_t y_tilde) {
-    return axes_[1].nonzero((*stores_)[1], y, y_tilde);
-  });
-  return std::all_of(nonzero.begin(), nonzero.end(), [&](const auto& pair) {
-    const bool same_line = same && seconds[at(pair.first)] == other_seconds[at(pair.second)];
-    const std::int32_t column = first_row[at(pair.first) + 1];
-    const std::int32_t other_column = other_row[at(pair.second) + 1];
-    PairTable<bool>& known = same_line ? known_same_columns_ : known_columns_;
-    return known.get(column, other_column, [&] { return dual_columns(column, other_column, same_line); });
-  });
+  ZoneAxis& second = axes_[1];
+  const BitSet others = second_sets_[at(rows_[other][0])];
+  const std::int32_t* const column_of = column_of_.data() + at(other) * second.size();
+  const auto seconds = seconds_[rows_[one][0]];
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    const std::int32_t column = rows_[one][i + 1];
+    const bool good = second.all_nonzero((*stores_)[1], at(seconds[i]), others, [&](std::size_t y) {
+      const bool same_line = same && at(seconds[i]) == y;
+      BitRows& known = same_line ? dual_same_columns_ : dual_columns_;
+      if (known.test(at(column), at(column_of[y]))) return true;
+      known.set(at(column), at(column_of[y]));
+      return dual_columns(column, column_of[y], same_line);
+    });
+    if (!good) return false;
+  }
+  return true;
 }
 
 /// Whether lambda_v(B_w) = delta_vw for all v of some rows and w of others.
 bool ZoneCheck::dual_pairs(const std::vector<std::int32_t>& row_of_v, const std::vector<std::int32_t>& row_of_w) {
+  const BitSet with_rows = numbers_with(row_of_w);
   for (std::size_t x = 0; x < row_of_v.size(); ++x) {
     const std::int32_t one = row_of_v[x];
     if (one < 0) continue;
-    for (std::size_t other = 0; other < row_of_w.size(); ++other) {
+    const bool good = axes_[0].all_nonzero((*stores_)[0], x, with_rows, [&](std::size_t other) {
       const std::int32_t two = row_of_w[other];
-      if (two < 0 || !axes_[0].nonzero((*stores_)[0], x, other)) continue;
-      PairTable<bool>& known = x == other ? known_same_rows_ : known_rows_;
-      if (!known.get(one, two, [&] { return dual_rows(one, two, x == other); })) return false;
-    }
+      BitRows& known = x == other ? dual_same_rows_ : dual_rows_;
+      if (known.test(at(one), at(two))) return true;
+      known.set(at(one), at(two));
+      return dual_rows(one, two, x == other);
+    });
+    if (!good) return false;
   }
   return true;
 }
@@ -219,9 +240,8 @@ bool ZoneCheck::dual_basis() {
       if (!axes_[a].is_one((*stores_)[a], i)) return false;  // then products would have to be looked at
     }
   }
-  for (auto* known : {&known_rows_, &known_columns_, &known_same_rows_, &known_same_columns_}) known->clear();
-  known_pairs_.clear();
-  pairs_.clear();
+  for (BitRows* known : {&dual_rows_, &dual_same_rows_}) known->reset(at(rows_.size()), at(rows_.size()));
+  for (BitRows* known : {&dual_columns_, &dual_same_columns_}) known->reset(at(columns_.size()), at(columns_.size()));
   if (!dual_pairs(asked_row_, row_)) return false;
   return asked_.size() == nodes_.size() || dual_pairs(row_, asked_row_);
 }

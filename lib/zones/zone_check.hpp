@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/mesh/pair_table.hpp"
 #include "lib/zones/list_table.hpp"
 #include "lib/zones/zone_axis.hpp"
 
@@ -28,19 +27,20 @@ struct Proven {
 /// touch Z.
 ///
 /// Where boxes cover the domain and none finds a violation, the mesh has the properties:
-/// - Dual basis. If lambda_v(B_w) is not delta_vw, then v = w, or all three factors differ from 0, so that the supports
-///   meet in positive volume. Any box that contains a common point has both nodes, and their factors do not depend on
-///   Z.
-/// - Dual-compatible. Say v and w fail to overlap along x and y, with supports that meet in positive volume: lines q
-/// and r
-///   in the closed ranges of both are entries of one alone. Let z be in the closed ranges of both. A box Z that
-///   contains (q,r,z) has both nodes, and both lines.
-/// - Analysis-suitable. If the point (q,r,z) is in R_x and R_y, take a box Z that contains it. The four nodes behind it
-/// have
-///   supports that contain it, so they are in the list. The points (q,r,t) of Z in R_x and R_y are, for each of the
-///   four conditions, a union of closed intervals whose ends are entries of vectors, ends of Z, or of the active
-///   region: all of them lines. A common point of four closed intervals with ends on lines is on a line if it is their
-///   greatest lower end. So only points with three coordinates on lines are asked.
+///
+/// Dual basis. If lambda_v(B_w) is not delta_vw, then v = w, or all three factors differ from 0, so that the supports
+/// meet in positive volume. Any box that contains a common point has both nodes, and their factors do not depend on Z.
+///
+/// Dual-compatible. Say v and w fail to overlap along x and y, with supports that meet in positive volume: lines q and
+/// r in the closed ranges of both are entries of one alone. Let z be in the interiors of both ranges, on no line. A box
+/// Z that contains (q,r,z) has both nodes, both lines, and the gap between its lines that z is in.
+///
+/// Analysis-suitable. If the point (q,r,z) is in R_x and R_y, take a box Z that contains it. The four nodes behind it
+/// have supports that contain it, so they are in the list. The points (q,r,t) of Z in R_x and R_y are, for each of the
+/// four conditions, a union of closed intervals whose ends are entries of vectors, ends of Z, or of the active region:
+/// all of them lines. A common point of four closed intervals with ends on lines is on a line if it is their greatest
+/// lower end. So only points with three coordinates on lines are asked.
+///
 /// When only some of the nodes are asked, the first two are about pairs of which one at least is: the others hold
 /// already. A violation found is one in each case; but the boxes do not tell which pair the paper's order has first.
 ///
@@ -51,8 +51,8 @@ struct Proven {
 /// the list of the second vectors with their columns. Equal columns, and equal rows, are compared once with each other
 /// one. In a uniform part all columns are equal, and all rows.
 ///
-/// Cost: linear in nodes, and in pairs of vectors of one axis that meet; beyond that in pairs of different rows and
-/// columns.
+/// Cost: linear in nodes, and in pairs of vectors of one axis; beyond that in pairs of different rows and columns, of
+/// which those that have nothing to do with each other are passed over by words.
 class ZoneCheck {
  public:
   /// REQUIRES: both outlive it.
@@ -78,16 +78,12 @@ class ZoneCheck {
   Proven decide();
 
  private:
-  /// Places in two lists of vectors along one axis.
-  using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
-
-  template <typename Relation>
-  const Pairs& related(std::int32_t one, std::int32_t other, const Relation& relation);
   void group_by(Axis axis);
   void group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& nodes, std::vector<std::int32_t>& row_of);
-  bool interiors_meet(std::int32_t one, std::int32_t other, const ZoneAxis& along) const;
+  void index_groups(Axis axis);
+  BitSet numbers_with(const std::vector<std::int32_t>& row);
   bool compatible(Axis axis);
-  bool rows_compatible(Axis axis, std::int32_t one, std::int32_t other);
+  bool rows_compatible(Axis axis, std::int32_t one, std::int32_t other) const;
   bool dual_basis();
   bool dual_pairs(const std::vector<std::int32_t>& row_of_v, const std::vector<std::int32_t>& row_of_w);
   bool dual_rows(std::int32_t one, std::int32_t other, bool same);
@@ -105,18 +101,21 @@ class ZoneCheck {
   std::vector<std::int32_t> order_;
   std::vector<std::int32_t> sorted_;
   std::vector<std::size_t> begin_;
-  ListTable columns_;         ///< nodes with the same vectors along two axes: their vectors along the third one
-  ListTable rows_;            ///< nodes with the same vector along one axis: a list of vectors, then their columns
-  ListTable seconds_;         ///< these lists of vectors
-  std::vector<Pairs> pairs_;  ///< of lists of vectors, in a relation
-  PairTable<std::int32_t> known_pairs_;
-  PairTable<bool> known_meetings_;
-  std::vector<std::int32_t> row_;        ///< of each vector along the first axis, -1 where it has none
-  std::vector<std::int32_t> asked_row_;  ///< the same of the asked nodes alone
-  PairTable<bool> known_rows_;
-  PairTable<bool> known_columns_;
-  PairTable<bool> known_same_rows_;  ///< of nodes with the same vector along the first axis
-  PairTable<bool> known_same_columns_;
+  ListTable columns_;    ///< nodes with the same vectors along two axes: their vectors along the third one
+  ListTable rows_;       ///< nodes with the same vector along one axis: a list of vectors, then their columns
+  ListTable seconds_;    ///< these lists of vectors
+  BitRows second_sets_;  ///< the same as sets
+  BitRows column_sets_;  ///< and those of the columns
+  std::vector<std::uint64_t> column_gaps_;  ///< ZoneAxis::gaps of the vectors of each column
+  std::vector<std::int32_t> column_of_;     ///< by row and vector of the second axis; set where the row has the vector
+  std::vector<std::int32_t> row_;           ///< of each vector along the first axis, -1 where it has none
+  std::vector<std::int32_t> asked_row_;     ///< the same of the asked nodes alone
+  BitRows with_rows_;
+  BitRows compatible_rows_;  ///< pairs that were asked and found good, as in the following
+  BitRows dual_rows_;
+  BitRows dual_columns_;
+  BitRows dual_same_rows_;  ///< of nodes with the same vector along the first axis
+  BitRows dual_same_columns_;
   PerAxis<std::vector<std::uint64_t>> regions_;  ///< R_a: for lines of a and the next axis, bits for those of the last
   std::vector<std::uint64_t> having_;
   std::vector<std::uint64_t> lacking_;

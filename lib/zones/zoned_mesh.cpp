@@ -45,10 +45,10 @@ std::vector<RankBox> merged(const std::vector<RankBox>& boxes) {
 }  // namespace
 
 Proven ZonedMesh::check(const std::vector<RankBox>& boxes, bool changed_only, int jobs) {
-  while (checks_.size() < static_cast<std::size_t>(jobs)) checks_.emplace_back(zones_);
+  while (checks_.size() < static_cast<std::size_t>(jobs)) checks_.push_back({BoxCheck(zones_)});
   std::vector<Proven> found(boxes.size());
   parallel_for(jobs, boxes.size(), [&](std::size_t i, int worker) {
-    found[i] = checks_[static_cast<std::size_t>(worker)].decide(boxes[i], changed_only);
+    found[i] = checks_[static_cast<std::size_t>(worker)].own.decide(boxes[i], changed_only);
   });
   Proven proven;
   for (const Proven& one : found) proven &= one;

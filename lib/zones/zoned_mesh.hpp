@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lib/threads/apart.hpp"
 #include "lib/zones/box_check.hpp"
 
 namespace asts {
@@ -35,7 +36,7 @@ class ZonedMesh {
   Proven check(const std::vector<RankBox>& boxes, bool changed_only, int jobs);
 
   Zones zones_;
-  std::vector<BoxCheck> checks_;  ///< one a thread
+  std::vector<Apart<BoxCheck>> checks_;  ///< one a thread
   std::optional<Proven> proven_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/exact/errors.hpp"
+#include "lib/threads/apart.hpp"
 #include "lib/threads/parallel_for.hpp"
 
 namespace asts {
@@ -11,6 +12,14 @@ namespace {
 
 /// A zone that is looked at again is divided until it has a fraction of the elements of a new one.
 constexpr std::size_t kParts = 8;
+
+/// How many elements a zone of the whole mesh has at most.
+std::int32_t new_zone(const RefinementTree& tree, const ZoneLimits& limits) {
+  constexpr std::int64_t kZones = 64;  // enough for all threads
+  const std::int64_t elements = tree.element_count() / kZones;
+  return static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(elements, limits.elements, 4 * std::int64_t{limits.elements}));
+}
 
 /// The nodes of the tree that become zones: the highest with few enough leaves.
 std::vector<std::int32_t> small_subtrees(const RefinementTree& tree, std::int32_t most_leaves) {
@@ -89,12 +98,14 @@ void Zones::scan(std::int32_t tree_node, std::vector<Zone>& zones) {
 }
 
 void Zones::rebuild(int jobs) {
-  const std::vector<std::int32_t> subtrees = small_subtrees(tree_, limits_.elements);
+  const std::vector<std::int32_t> subtrees = small_subtrees(tree_, new_zone(tree_, limits_));
   std::vector<ZoneNodes> found(subtrees.size());
   std::vector<char> fits(subtrees.size());
-  std::vector<ZoneScanner> scanners(static_cast<std::size_t>(jobs), ZoneScanner(tree_, limits_.lines));
+  std::vector<Apart<ZoneScanner>> scanners(static_cast<std::size_t>(jobs), {ZoneScanner(tree_, limits_.lines)});
   parallel_for(jobs, subtrees.size(), [&](std::size_t i, int worker) {
-    fits[i] = scanners[static_cast<std::size_t>(worker)].scan(subtrees[i], found[i]) ? 1 : 0;
+    ZoneNodes nodes;
+    fits[i] = scanners[static_cast<std::size_t>(worker)].own.scan(subtrees[i], nodes) ? 1 : 0;
+    found[i] = std::move(nodes);
   });
   std::vector<PerAxis<std::vector<std::int32_t>>> vectors(subtrees.size());
   parallel_for(jobs, kDimension, [&](std::size_t axis, int) {
