@@ -76,6 +76,7 @@ class RefinementTree {
     __builtin_prefetch(&links_[at(parent)]);
     __builtin_prefetch(&coarsest_[at(parent)]);
   }
+  void prefetch_place(std::int32_t id) const { __builtin_prefetch(&places_[at(id)]); }
   void prefetch_children(std::int32_t first_child) const {
     if (first_child == kNone) return;
     __builtin_prefetch(&places_[at(first_child)]);

@@ -1,6 +1,7 @@
 #include "lib/refine/admissibility.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <vector>
 
@@ -85,13 +86,22 @@ bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::
   return true;
 }
 
-bool stays_admissible(const RefinementTree& tree, std::span<const std::int32_t> subdivided) {
+bool stays_admissible(const RefinementTree& tree, std::span<const std::int32_t> subdivided, int jobs) {
   std::map<std::int32_t, std::vector<std::int32_t>> by_level;
   for (const std::int32_t id : subdivided) by_level[tree.level(id)].push_back(id);
-  PatchSearch search(tree);
-  return std::all_of(by_level.begin(), by_level.end(), [&](const auto& level) {
-    return search.coarser_in_patches(level.second, level.first, [](const PatchSearch::Coarser&) { return false; });
+  using Level = std::pair<const std::int32_t, std::vector<std::int32_t>>;
+  std::vector<const Level*> levels;
+  for (const Level& level : by_level) levels.push_back(&level);
+  std::sort(levels.begin(), levels.end(),
+            [](const Level* a, const Level* b) { return a->second.size() > b->second.size(); });
+  std::atomic<bool> good = true;
+  parallel_for(jobs, levels.size(), [&](std::size_t i, int) {
+    if (!good) return;
+    PatchSearch search(tree);
+    const auto& [level, elements] = *levels[i];
+    if (!search.coarser_in_patches(elements, level, [](const PatchSearch::Coarser&) { return false; })) good = false;
   });
+  return good;
 }
 
 }  // namespace asts

@@ -45,7 +45,8 @@ bool is_admissible_subdivision(const RefinementTree& tree, std::span<const std::
 /// Whether the mesh is still admissible after elements of an admissible mesh were subdivided, admissibly or not: by the
 /// criterion of find_inadmissible, asked of these elements alone. The others met it before, and leaves only get finer.
 /// `subdivided` are nodes of the tree that are no leaves any more. Cost: that of a search for these (PatchSearch).
-/// REQUIRES: as above; the mesh before was admissible.
-bool stays_admissible(const RefinementTree& tree, std::span<const std::int32_t> subdivided);
+/// Levels are asked by so many threads; the result does not depend on them.
+/// REQUIRES: as above; the mesh before was admissible; jobs >= 1.
+bool stays_admissible(const RefinementTree& tree, std::span<const std::int32_t> subdivided, int jobs = 1);
 
 }  // namespace asts

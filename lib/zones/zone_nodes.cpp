@@ -37,19 +37,32 @@ void ZoneScanner::gather(const RankBox& box, std::vector<RankBox>& leaves) {
   while (tree_->node(top).parent != RefinementTree::kNone && !inside(box, box_of(*tree_, top))) {
     top = tree_->node(top).parent;
   }
-  pending_.assign(1, top);
-  while (!pending_.empty()) {
-    const std::int32_t id = pending_.back();
-    pending_.pop_back();
-    if (tree_->is_leaf(id)) {
-      leaves.push_back(box_of(*tree_, id));
-      continue;
+  reached_.assign(1, {top, tree_->level(top), {tree_->cell(top, 0), tree_->cell(top, 1), tree_->cell(top, 2)}});
+  while (!reached_.empty()) {
+    deeper_.clear();
+    for (const Reached& one : reached_) {
+      if (tree_->is_leaf(one.node)) {
+        leaves.push_back({tree_->grid(0).extent(one.cell[0]), tree_->grid(1).extent(one.cell[1]),
+                          tree_->grid(2).extent(one.cell[2])});
+      } else {
+        reach_children(one, box);
+      }
     }
-    const Axis axis = tree_->split_axis(id);  // children differ along this axis only
-    const std::int32_t first = tree_->node(id).first_child;
-    for (std::int32_t child = first + tree_->child_count(id) - 1; child >= first; --child) {
-      if (touch(tree_->extent(child, axis), box[axis])) pending_.push_back(child);
-    }
+    reached_.swap(deeper_);
+  }
+}
+
+/// Takes down the children of a node that touch a box, without reading them: they differ from it along one axis only.
+void ZoneScanner::reach_children(const Reached& one, const RankBox& box) {
+  const Axis axis = one.level < 0 ? tree_->split_axis(one.node) : one.level % kDimension;
+  const std::int32_t first = tree_->first_child(one.node);
+  const std::int32_t count = one.level < 0 ? 2 : tree_->setting().grading;
+  tree_->prefetch_place(first);
+  Reached child{first, one.level + 1, one.cell};
+  child.cell[at(axis)] = tree_->grid(axis).known_children(one.cell[at(axis)]);
+  for (; child.node < first + count; ++child.node, ++child.cell[at(axis)]) {
+    if (one.level < 0) child.level = tree_->level(child.node);
+    if (touch(tree_->grid(axis).extent(child.cell[at(axis)]), box[axis])) deeper_.push_back(child);
   }
 }
 

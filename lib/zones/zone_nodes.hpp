@@ -68,7 +68,15 @@ class ZoneScanner {
     void clear();
   };
 
+  /// A node of the tree on the way down, and what would have to be read of it.
+  struct Reached {
+    std::int32_t node;
+    std::int32_t level;
+    PerAxis<std::int32_t> cell;
+  };
+
   void gather(const RankBox& box, std::vector<RankBox>& leaves);
+  void reach_children(const Reached& one, const RankBox& box);
   std::int32_t extend(Axis axis, int direction);
   bool number_lines(Axis axis);
   void mark_ends(Axis axis, const std::vector<RankBox>& leaves);
@@ -93,7 +101,8 @@ class ZoneScanner {
   std::vector<std::uint64_t> vertices_;          ///< x-bits of vertices, placed as entries_[0]
   PerAxis<WordTable> known_;
   std::vector<RankBox> outside_;
-  std::vector<std::int32_t> pending_;
+  std::vector<Reached> reached_;
+  std::vector<Reached> deeper_;
 };
 
 }  // namespace asts

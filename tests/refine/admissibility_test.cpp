@@ -102,6 +102,7 @@ TEST(Admissibility, StaysOrNotByTheStepAlone) {
       replay.advance();
       admissible = stays_admissible(replay.tree(), replay.subdivided());
       EXPECT_EQ(admissible, !find_inadmissible(replay.tree()));
+      EXPECT_EQ(admissible, stays_admissible(replay.tree(), replay.subdivided(), 3));
       (admissible ? stays : ends) += 1;
     }
   }
