@@ -23,17 +23,19 @@ std::int32_t new_zone(const RefinementTree& tree, const ZoneLimits& limits) {
 
 /// The nodes of the tree that become zones: the highest with few enough leaves.
 std::vector<std::int32_t> small_subtrees(const RefinementTree& tree, std::int32_t most_leaves) {
-  std::vector<std::int32_t> leaves(at(tree.node_count()), 0);
-  for (std::int32_t id = tree.node_count(); id-- > 0;) {  // children come after their parents
-    if (leaves[at(id)] == 0) leaves[at(id)] = 1;
-    if (tree.parent(id) >= 0) leaves[at(tree.parent(id))] += leaves[at(id)];
+  using Count = std::uint16_t;
+  const auto most = static_cast<Count>(std::min<std::int32_t>(most_leaves, std::numeric_limits<Count>::max() - 1));
+  std::vector<Count> leaves(at(tree.node_count()), 0);    // up to one more than counts
+  for (std::int32_t id = tree.node_count(); --id > 0;) {  // children come after their parents
+    Count& above = leaves[at(tree.parent(id))];
+    above = static_cast<Count>(std::min<int>(above + std::max<int>(leaves[at(id)], 1), most + 1));
   }
   std::vector<std::int32_t> result;
   std::vector<std::int32_t> pending{0};
   while (!pending.empty()) {
     const std::int32_t id = pending.back();
     pending.pop_back();
-    if (leaves[at(id)] <= most_leaves) {
+    if (leaves[at(id)] <= most) {
       result.push_back(id);
     } else {
       tree.push_children(id, pending);
