@@ -49,7 +49,9 @@ std::vector<std::int32_t> merged(const std::vector<std::vector<Find>>& of_blocks
   const auto by_bit = [](const Find& a, const Find& b) { return a.bit < b.bit; };
   const auto iterator = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
   for (std::size_t entry = 0; entry < entries; ++entry) {
-    std::stable_sort(iterator(begin[entry]), iterator(begin[entry + 1]), by_bit);
+    const auto first = iterator(begin[entry]);
+    const auto last = iterator(begin[entry + 1]);
+    if (!std::is_sorted(first, last, by_bit)) std::stable_sort(first, last, by_bit);
   }
   std::vector<std::int32_t> leaves;
   leaves.reserve(all.size());
