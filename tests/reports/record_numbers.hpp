@@ -26,7 +26,7 @@ inline void collect_numbers(const nlohmann::ordered_json& json, const nlohmann::
 
 inline std::vector<nlohmann::ordered_json::json_pointer> numbers_of(const nlohmann::ordered_json& json) {
   std::vector<nlohmann::ordered_json::json_pointer> numbers;
-  collect_numbers(json, {}, numbers);
+  collect_numbers(json, nlohmann::ordered_json::json_pointer(), numbers);
   return numbers;
 }
 
