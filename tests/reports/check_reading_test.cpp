@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "properties/statement.hpp"
-#include "reports/collection.hpp"
+#include "tests/reports/collected_cases.hpp"
 
 namespace asts {
 namespace {
@@ -41,19 +40,11 @@ std::string line_of(const CheckRecord& record) {
 // The law, on every statement and every kind of witness that the collection and the findings have.
 TEST(CheckReading, GivesTheLineBack) {
   std::size_t violated = 0;
-  for (const char* folder : {"collection", "findings"}) {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(ASTS_CASES) + "/../../reports/" + folder)) {
-      if (entry.path().extension() != ".case") continue;
-      const auto about = parse_collection_name(entry.path().filename().string());
-      ASSERT_TRUE(about) << entry.path();
-      if (std::string(about->statement.id()) == "lambda-sums") continue;  // 1307 steps
-      const std::string name = entry.path().filename().string();
-      const std::string line = line_of(record_of(name, read_case_file(entry.path().string()), about->statement));
-      EXPECT_EQ(line_of(check_record_from_json(line)), line) << name;
-      violated += line.find("\"violated\"") != std::string::npos ? 1 : 0;
-    }
-  }
+  testing::for_each_collected([&](const std::string& name, const Case& content, const Statement& statement) {
+    const std::string line = line_of(record_of(name, content, statement));
+    EXPECT_EQ(line_of(check_record_from_json(line)), line) << name;
+    violated += line.find("\"violated\"") != std::string::npos ? 1 : 0;
+  });
   EXPECT_GT(violated, 15U);
 }
 

@@ -2,13 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "lib/exact/errors.hpp"
 #include "lib/mesh/case_file.hpp"
 #include "properties/statement.hpp"
-#include "reports/collection.hpp"
 #include "reports/witness_json.hpp"
+#include "tests/reports/collected_cases.hpp"
 
 namespace asts {
 namespace {
@@ -18,23 +16,16 @@ using Json = nlohmann::ordered_json;
 // The law, on every kind of witness that the collection and the findings have.
 TEST(WitnessReading, GivesTheJsonBack) {
   std::size_t read = 0;
-  for (const char* folder : {"collection", "findings"}) {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(ASTS_CASES) + "/../../reports/" + folder)) {
-      if (entry.path().extension() != ".case") continue;
-      const auto about = parse_collection_name(entry.path().filename().string());
-      ASSERT_TRUE(about) << entry.path();
-      if (std::string(about->statement.id()) == "lambda-sums") continue;  // 1307 steps
-      const Trial trial = try_on_case(about->statement, read_case_file(entry.path().string()));
-      if (!trial.verdict.witness) continue;
-      const Json json = witness_json(*trial.verdict.witness);
-      EXPECT_EQ(witness_json(witness_from_json(json)).dump(), json.dump()) << entry.path();
-      EXPECT_EQ(kind_of(witness_from_json(json)), kind_of(*trial.verdict.witness));
-      const Json verdict = verdict_json(trial.verdict);
-      EXPECT_EQ(verdict_json(verdict_from_json(verdict)).dump(), verdict.dump());
-      ++read;
-    }
-  }
+  testing::for_each_collected([&](const std::string& name, const Case& content, const Statement& statement) {
+    const Trial trial = try_on_case(statement, content);
+    if (!trial.verdict.witness) return;
+    const Json json = witness_json(*trial.verdict.witness);
+    EXPECT_EQ(witness_json(witness_from_json(json)).dump(), json.dump()) << name;
+    EXPECT_EQ(kind_of(witness_from_json(json)), kind_of(*trial.verdict.witness));
+    const Json verdict = verdict_json(trial.verdict);
+    EXPECT_EQ(verdict_json(verdict_from_json(verdict)).dump(), verdict.dump());
+    ++read;
+  });
   EXPECT_GT(read, 15U);
 }
 
