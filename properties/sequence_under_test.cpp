@@ -33,10 +33,11 @@ const Proven& SequenceUnderTest::proven() {
 }
 
 bool SequenceUnderTest::admissible() {
+  constexpr std::size_t kFew = 4096;  // subdivided elements: not worth a thread
   if (!admissible_) {
-    constexpr std::size_t kFew = 4096;  // not worth a thread
-    const int jobs = since_admissible_.size() < kFew ? 1 : jobs_;
-    admissible_ = was_admissible_ ? stays_admissible(tree_, since_admissible_, jobs) : !find_inadmissible(tree_, jobs_);
+    const int step_jobs = since_admissible_.size() < kFew ? 1 : jobs_;
+    admissible_ =
+        was_admissible_ ? stays_admissible(tree_, since_admissible_, step_jobs) : !find_inadmissible(tree_, jobs_);
   }
   return *admissible_;
 }

@@ -1,6 +1,7 @@
 #include "lib/zones/zones.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "lib/exact/errors.hpp"
 #include "lib/threads/apart.hpp"

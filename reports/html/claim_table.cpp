@@ -112,13 +112,12 @@ void add_bounds_table(HtmlNode parent, const BoundsByName& bounds) {
 }
 
 void add_claim_tables(HtmlNode parent, std::span<const LedgerRecord> records) {
-  HtmlTable table{"claims-table",
-                  "Claims",
-                  {"claim", "source", "status", "result", "distinct meshes", "sequences", "alone",
-                   "trials with the "
-                   "hypothesis met",
-                   "of all trials", "times met", "holds", "violated", "not applicable", "undecided"},
-                  {}};
+  HtmlTable table{
+      "claims-table",
+      "Claims",
+      {"claim", "source", "status", "result", "distinct meshes", "sequences", "alone", "trials with the hypothesis met",
+       "of all trials", "times met", "holds", "violated", "not applicable", "undecided"},
+      {}};
   for (const LedgerRecord& record : records) table.rows.push_back(row(record));
   add_paragraph(
       parent,

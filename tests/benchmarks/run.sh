@@ -2,7 +2,7 @@
 # tests/benchmarks/run.sh [--quick] [--page FILE]
 #
 # Builds the preset `bench`, measures, and puts the tables between the markers of FILE (reports/performance.md).
-# On two idle cores that takes 15 minutes at most. With --quick, 2 minutes, for fewer inputs that are measured once; the
+# On two idle cores that takes about 20 minutes. With --quick, 2 minutes, for fewer inputs that are measured once; the
 # tables are printed instead. Raw figures stay in build/bench/measured.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

@@ -29,8 +29,8 @@ OPEN_DETAILS = "document.querySelectorAll('details').forEach((details) => { deta
 
 
 def check_everywhere(test, page, path):
-    """Opens the page at all widths, light and dark, and in print, with what is closed and without: `test` is a
-    unittest.TestCase."""
+    """Opens the page at all widths, light and dark, as it is and with everything closed opened; then in print, opened.
+    `test` is a unittest.TestCase."""
     for scheme in ("light", "dark"):
         for width in WIDTHS:
             with test.subTest(page=path, width=width, scheme=scheme):
