@@ -31,6 +31,7 @@ ZoneCheck::ZoneCheck(const RefinementTree& tree, const std::vector<VectorStore>&
 void ZoneCheck::begin(const RankBox& box) {
   nodes_.clear();
   asked_.clear();
+  grouped_ = -1;
   for (Axis axis = 0; axis < kDimension; ++axis) axes_[at(axis)].begin(box[axis]);
 }
 
@@ -71,45 +72,58 @@ void ZoneCheck::group_by(Axis axis) {
   columns_.clear();
   rows_.clear();
   seconds_.clear();
-  group_by(axis, nodes_, row_);
-  if (asked_.size() == nodes_.size()) {
+  const bool all = asked_.size() == nodes_.size();
+  if (grouped_ == axis_after(axis)) {
+    sort_by(axis, nodes_);
+    if (!all) sort_by(axis, asked_);
+  } else {
+    for (const Axis by : {axis_after(axis_after(axis)), axis_after(axis), axis}) {
+      sort_by(by, nodes_);
+      if (!all) sort_by(by, asked_);
+    }
+  }
+  grouped_ = axis;
+  find_rows(axis, nodes_, row_);
+  if (all) {
     asked_row_ = row_;
   } else {
-    group_by(axis, asked_, asked_row_);
+    find_rows(axis, asked_, asked_row_);
   }
   index_groups(axis);
 }
 
-/// Counting sorts by one vector after the other.
-void ZoneCheck::group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& nodes,
-                         std::vector<std::int32_t>& row_of) {
-  order_.resize(nodes.size());
-  std::iota(order_.begin(), order_.end(), 0);
-  for (const Axis by : {axis_after(axis_after(axis)), axis_after(axis), axis}) {
-    begin_.assign(axes_[at(by)].size() + 1, 0);
-    for (const auto& node : nodes) ++begin_[at(node[at(by)]) + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    sorted_.resize(nodes.size());
-    for (const std::int32_t node : order_) sorted_[begin_[at(nodes[at(node)][at(by)])]++] = node;
-    order_.swap(sorted_);
-  }
+/// A stable counting sort by the vectors along an axis. Nodes in the order of the vectors along an axis, the next one
+/// and the one after it come into that order from the axis before with one of these.
+void ZoneCheck::sort_by(Axis axis, std::vector<PerAxis<std::int32_t>>& nodes) {
+  begin_.assign(axes_[at(axis)].size() + 1, 0);
+  for (const auto& node : nodes) ++begin_[at(node[at(axis)]) + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  sorted_.resize(nodes.size());
+  for (const auto& node : nodes) sorted_[begin_[at(node[at(axis)])]++] = node;
+  nodes.swap(sorted_);
+}
+
+/// The rows of sorted nodes.
+void ZoneCheck::find_rows(Axis axis, const std::vector<PerAxis<std::int32_t>>& nodes,
+                          std::vector<std::int32_t>& row_of) {
   row_of.assign(axes_[at(axis)].size(), -1);
+  const auto second_axis = at(axis_after(axis));
+  const auto third_axis = at(axis_after(axis_after(axis)));
   std::vector<std::int32_t> row;
   std::vector<std::int32_t> seconds;
-  for (std::size_t i = 0; i < order_.size();) {
-    const std::int32_t first = nodes[at(order_[i])][at(axis)];
+  std::vector<std::int32_t> column;
+  for (std::size_t i = 0; i < nodes.size();) {
+    const std::int32_t first = nodes[i][at(axis)];
     row.assign(1, 0);
     seconds.clear();
-    while (i < order_.size() && nodes[at(order_[i])][at(axis)] == first) {
-      const std::int32_t second = nodes[at(order_[i])][at(axis_after(axis))];
-      const std::size_t begin = i;
-      for (; i < order_.size(); ++i) {
-        const PerAxis<std::int32_t>& node = nodes[at(order_[i])];
-        if (node[at(axis)] != first || node[at(axis_after(axis))] != second) break;
-        sorted_[i] = node[at(axis_after(axis_after(axis)))];
+    while (i < nodes.size() && nodes[i][at(axis)] == first) {
+      const std::int32_t second = nodes[i][second_axis];
+      column.clear();
+      for (; i < nodes.size() && nodes[i][at(axis)] == first && nodes[i][second_axis] == second; ++i) {
+        column.push_back(nodes[i][third_axis]);
       }
       seconds.push_back(second);
-      row.push_back(columns_.intern(std::span(sorted_).subspan(begin, i - begin)));
+      row.push_back(columns_.intern(column));
     }
     row.front() = seconds_.intern(seconds);
     row_of[at(first)] = rows_.intern(row);

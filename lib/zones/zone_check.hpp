@@ -79,7 +79,8 @@ class ZoneCheck {
 
  private:
   void group_by(Axis axis);
-  void group_by(Axis axis, const std::vector<PerAxis<std::int32_t>>& nodes, std::vector<std::int32_t>& row_of);
+  void sort_by(Axis axis, std::vector<PerAxis<std::int32_t>>& nodes);
+  void find_rows(Axis axis, const std::vector<PerAxis<std::int32_t>>& nodes, std::vector<std::int32_t>& row_of);
   void index_groups(Axis axis);
   BitSet numbers_with(const std::vector<std::int32_t>& row);
   bool compatible(Axis axis);
@@ -98,8 +99,8 @@ class ZoneCheck {
   std::vector<PerAxis<std::int32_t>> nodes_;
   std::vector<PerAxis<std::int32_t>> asked_;  ///< of these
   PerAxis<bool> irregular_;
-  std::vector<std::int32_t> order_;
-  std::vector<std::int32_t> sorted_;
+  Axis grouped_ = -1;  ///< the axis of the last grouping in this box; the nodes are in its order
+  std::vector<PerAxis<std::int32_t>> sorted_;
   std::vector<std::size_t> begin_;
   ListTable columns_;    ///< nodes with the same vectors along two axes: their vectors along the third one
   ListTable rows_;       ///< nodes with the same vector along one axis: a list of vectors, then their columns

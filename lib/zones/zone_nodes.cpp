@@ -197,7 +197,6 @@ std::uint64_t ZoneScanner::vector_around(std::uint64_t entries, std::int32_t num
 void ZoneScanner::collect(ZoneNodes& result) {
   const PerAxis<int>& degree = tree_->setting().degree;
   const auto number = [&](Axis axis, std::size_t where, std::int32_t own) {
-    if (!asked_[at(axis)]) return std::uint16_t{0};
     const std::uint64_t word = vector_around(entries_[at(axis)][where], own, (degree[at(axis)] + 1) / 2);
     return static_cast<std::uint16_t>(known_[at(axis)].number_of(word));
   };
@@ -220,30 +219,28 @@ void ZoneScanner::collect(ZoneNodes& result) {
   }
 }
 
-bool ZoneScanner::scan(std::int32_t zone, ZoneNodes& result, const PerAxis<bool>& axes) {
+bool ZoneScanner::scan(std::int32_t zone, const RankBox& part, ZoneNodes& result) {
   result = {};
   for (Axis axis = 0; axis < kDimension; ++axis) {
     const RankInterval side = tree_->extent(zone, axis);
     const RankInterval active = active_range(*tree_, axis);
-    own_[axis] = {std::max(side.lower, active.lower), std::min(side.upper - 1, active.upper)};
+    own_[axis] = {std::max({side.lower, active.lower, part[axis].lower}),
+                  std::min({side.upper - 1, active.upper, part[axis].upper})};
     if (own_[axis].lower > own_[axis].upper) return true;
   }
   result.empty = false;
   zone_ = zone;
-  asked_ = axes;
   core_.clear();
   gather(own_, core_);
   for (Axis axis = 0; axis < kDimension; ++axis) {
     slabs_[at(axis)].clear();
-    window_[at(axis)] = own_[axis];
-    if (asked_[at(axis)]) window_[at(axis)] = {extend(axis, -1), extend(axis, +1)};
+    window_[at(axis)] = {extend(axis, -1), extend(axis, +1)};
     if (!number_lines(axis)) return false;
     const AxisGrid& grid = tree_->grid(axis);
     result.window[at(axis)] = {grid.line_of_rank(window_[at(axis)].lower), grid.line_of_rank(window_[at(axis)].upper)};
     known_[at(axis)].clear();
   }
   for (Axis axis = 0; axis < kDimension; ++axis) {
-    if (!asked_[at(axis)]) continue;
     entries_[at(axis)].assign(lines_[at(axis_after(axis))].own() * lines_[at(axis_after(axis_after(axis)))].own(), 0);
     add_entries(axis, core_);
     add_entries(axis, slabs_[at(axis)]);

@@ -43,9 +43,11 @@ class ZoneScanner {
   explicit ZoneScanner(const RefinementTree& tree, std::size_t most_lines = 64)
       : tree_(&tree), most_lines_(most_lines) {}
 
-  /// The nodes of a zone, in the lexicographic order of (y,z,x), with their vectors along some of the axes, or all; the
-  /// windows of the others are the zone. False when a window has more lines than fit into a word.
-  bool scan(std::int32_t zone, ZoneNodes& result, const PerAxis<bool>& axes = {true, true, true});
+  /// The nodes of a zone, in the lexicographic order of (y,z,x), with their vectors. False when a window has more lines
+  /// than fit into a word.
+  bool scan(std::int32_t zone, ZoneNodes& result) { return scan(zone, box_of(*tree_, zone), result); }
+  /// The same of those in a closed box of ranks alone, at the cost of a zone that is this part.
+  bool scan(std::int32_t zone, const RankBox& part, ZoneNodes& result);
 
  private:
   /// The lines in use along an axis, numbered in their order.
@@ -91,8 +93,7 @@ class ZoneScanner {
   const RefinementTree* tree_;
   std::size_t most_lines_;
   std::int32_t zone_ = 0;
-  PerAxis<bool> asked_{};
-  RankBox own_;  ///< closed; the nodes of the zone lie in it
+  RankBox own_;  ///< closed; the nodes that are looked for lie in it
   PerAxis<RankInterval> window_;
   std::vector<RankBox> core_;            ///< elements that touch own_
   PerAxis<std::vector<RankBox>> slabs_;  ///< and those of the windows' other parts

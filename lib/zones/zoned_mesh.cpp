@@ -7,7 +7,7 @@ namespace asts {
 namespace {
 
 /// A changed element costs about as much as so many others from scratch.
-constexpr std::int64_t kWorthRebuilding = 40;
+constexpr std::int64_t kWorthRebuilding = 12;
 
 /// A measure of what is in a box; nothing when it is too large for 64 bits.
 std::optional<std::int64_t> size_of(const RankBox& box) {

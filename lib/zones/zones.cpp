@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "lib/exact/errors.hpp"
 #include "lib/threads/apart.hpp"
@@ -11,8 +12,8 @@ namespace asts {
 
 namespace {
 
-/// A zone that is looked at again is divided until it has a fraction of the elements of a new one.
-constexpr std::size_t kParts = 8;
+/// A zone that follows a step is divided until it has this fraction of the nodes that a new one has elements.
+constexpr std::size_t kParts = 4;
 
 /// How many elements a zone of the whole mesh has at most.
 std::int32_t new_zone(const RefinementTree& tree, const ZoneLimits& limits) {
@@ -51,16 +52,8 @@ std::vector<VectorStore> empty_stores(const RefinementTree& tree) {
   return stores;
 }
 
-using VectorIds = PerAxis<std::int32_t>;
-
 Zone zone_of(std::int32_t tree_node, ZoneNodes&& found, PerAxis<std::vector<std::int32_t>>&& vectors) {
   return {tree_node, true, found.empty, std::move(vectors), std::move(found.nodes), found.window, {}};
-}
-
-VectorIds ids_of(const Zone& zone, const PerAxis<std::uint16_t>& node) {
-  VectorIds ids;
-  for (std::size_t axis = 0; axis < kDimension; ++axis) ids[axis] = zone.vectors[axis][node[axis]];
-  return ids;
 }
 
 }  // namespace
@@ -71,7 +64,8 @@ Zones::Zones(const RefinementTree& tree, const ZoneLimits& limits)
       stores_(empty_stores(tree)),
       supports_(tree),
       reaches_(tree),
-      scanner_(tree, limits.lines) {}
+      scanner_(tree, limits.lines),
+      growth_(tree, stores_, scanner_) {}
 
 /// Identifiers of the vectors along an axis that were found in a zone.
 std::vector<std::int32_t> Zones::intern(Axis axis, const ZoneNodes& found) {
@@ -179,70 +173,43 @@ std::int64_t Zones::active_nodes() const {
   return count;
 }
 
-std::map<std::size_t, Zones::Effect> Zones::effects(std::span<const std::int32_t> subdivided) const {
-  std::map<std::size_t, Effect> result;
-  for (const std::int32_t element : subdivided) {
-    const RankBox box = box_of(tree_, element);
-    const Axis split = tree_.split_axis(element);
-    const AxisGrid& grid = tree_.grid(split);
-    reaches_.for_each_touching(box, [&](std::size_t place) {
-      const Zone& zone = zones_[place];
-      RankBox reached = box_of(tree_, zone.tree_node);
-      const bool nodes = touch(reached, box);
-      const RankInterval& window = zone.window[at(split)];
-      reached[split] = {std::min(reached[split].lower, grid.rank_of_line(window.lower)),
-                        std::max(reached[split].upper, grid.rank_of_line(window.upper))};
-      if (!touch(reached, box)) return;
-      Effect& effect = result[place];
-      effect.vectors[at(split)] = true;
-      effect.nodes = effect.nodes || nodes;
+/// Whether an element that was split along an axis may change nodes of a zone, or their vectors.
+bool Zones::reaches(const Zone& zone, const RankBox& element, Axis split) const {
+  const AxisGrid& grid = tree_.grid(split);
+  RankBox reached = box_of(tree_, zone.tree_node);
+  const RankInterval& window = zone.window[at(split)];
+  reached[split] = {std::min(reached[split].lower, grid.rank_of_line(window.lower)),
+                    std::max(reached[split].upper, grid.rank_of_line(window.upper))};
+  return touch(reached, element);
+}
+
+Zones::Affected Zones::affected_by(std::span<const std::int32_t> subdivided) const {
+  constexpr std::size_t kAtOnce = 64;  // neighbours mostly: one search for all of them
+  Affected result;
+  std::vector<RankBox> boxes;
+  while (!subdivided.empty()) {
+    const auto elements = subdivided.first(std::min(kAtOnce, subdivided.size()));
+    subdivided = subdivided.subspan(elements.size());
+    boxes.clear();
+    for (const std::int32_t element : elements) boxes.push_back(box_of(tree_, element));
+    const RankBox all = std::accumulate(boxes.begin(), boxes.end(), boxes.front(), hull);
+    reaches_.for_each_touching(all, [&](std::size_t place) {
+      std::vector<std::int32_t>* split = nullptr;
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (!reaches(zones_[place], boxes[i], tree_.split_axis(elements[i]))) continue;
+        if (split == nullptr) split = &result[place];
+        split->push_back(elements[i]);
+      }
     });
   }
   return result;
 }
 
-/// Finds the vectors of a zone's nodes along some axes again, where the nodes are what they were. False when its window
-/// has too many lines now.
-bool Zones::change_vectors(Zone& zone, const PerAxis<bool>& axes) {
-  ZoneNodes found;
-  if (!scanner_.scan(zone.tree_node, found, axes)) return false;
-  ensure(found.nodes.size() == zone.nodes.size(), "a zone that no subdivided element touches has no new nodes");
-  zone.changed.assign(zone.nodes.size(), false);
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    const auto a = at(axis);
-    if (!axes[a]) continue;
-    const std::vector<std::int32_t> ids = intern(axis, found);
-    for (std::size_t i = 0; i < zone.nodes.size(); ++i) {
-      if (zone.vectors[a][zone.nodes[i][a]] != ids[found.nodes[i][a]]) zone.changed[i] = true;
-      zone.nodes[i][a] = found.nodes[i][a];
-    }
-    zone.vectors[a] = ids;
-    zone.window[a] = found.window[a];
-  }
-  return true;
-}
-
-/// Marks the nodes of a zone that it did not have before, or not with these vectors. Nodes stay when a mesh is refined,
-/// and so does their order.
-void Zones::mark_changed(const Zone& before, Zone& zone) const {
-  std::size_t old = 0;
-  for (const auto& node : zone.nodes) {
-    const bool stayed = old < before.nodes.size() && position(before, before.nodes[old]) == position(zone, node);
-    zone.changed.push_back(!stayed || ids_of(before, before.nodes[old]) != ids_of(zone, node));
-    if (stayed) ++old;
-  }
-  ensure(old == before.nodes.size(), "no node leaves its zone");
-}
-
-/// The zones that come of one, with the changed nodes marked: all, if they are several or one is not known.
+/// The zones that come of one, with all nodes marked as changed.
 std::vector<Zone> Zones::scan_again(const Zone& before) {
   std::vector<Zone> zones;
   scan(before.tree_node, zones);
-  if (zones.size() == 1 && zones.front().known) {
-    mark_changed(before, zones.front());
-  } else {
-    for (Zone& zone : zones) zone.changed.assign(zone.nodes.size(), true);
-  }
+  for (Zone& zone : zones) zone.changed.assign(zone.nodes.size(), true);
   return zones;
 }
 
@@ -304,10 +271,10 @@ void Zones::divide(const Zone& zone, std::vector<Zone>& parts) const {
 }
 
 /// Divides those of the zones that have many nodes; false when none has.
-bool Zones::divide_large(const std::map<std::size_t, Effect>& affected) {
+bool Zones::divide_large(const Affected& affected) {
   const std::size_t most = at(limits_.elements) / kParts;
   std::map<std::size_t, std::vector<Zone>> replaced;
-  for (const auto& [place, effect] : affected) {
+  for (const auto& [place, split] : affected) {
     if (zones_[place].nodes.size() <= most || tree_.is_leaf(zones_[place].tree_node)) continue;
     std::vector<Zone>& parts = replaced[place];
     std::vector<Zone> pending{zones_[place]};
@@ -346,12 +313,12 @@ void Zones::replace(std::map<std::size_t, std::vector<Zone>>& replaced) {
 std::vector<RankBox> Zones::update(std::span<const std::int32_t> subdivided) {
   for (const std::size_t place : changed_) zones_[place].changed.clear();
   changed_.clear();
-  std::map<std::size_t, Effect> affected = effects(subdivided);
-  if (divide_large(affected)) affected = effects(subdivided);
+  Affected affected = affected_by(subdivided);
+  if (divide_large(affected)) affected = affected_by(subdivided);
   std::map<std::size_t, std::vector<Zone>> replaced;  // by several
-  for (const auto& [place, effect] : affected) {
+  for (const auto& [place, split] : affected) {
     Zone& zone = zones_[place];
-    if (effect.nodes || !zone.known || !change_vectors(zone, effect.vectors)) {
+    if (!zone.known || !growth_.follow(zone, split)) {
       std::vector<Zone> again = scan_again(zone);
       if (again.size() > 1) {
         replaced[place] = std::move(again);

@@ -8,29 +8,20 @@
 
 #include "lib/zones/box_tree.hpp"
 #include "lib/zones/vector_store.hpp"
+#include "lib/zones/zone.hpp"
+#include "lib/zones/zone_growth.hpp"
 #include "lib/zones/zone_nodes.hpp"
 
 namespace asts {
-
-/// A part of a mesh: the box of a node of the refinement tree, with the active nodes that belong to it (ZoneScanner).
-struct Zone {
-  std::int32_t tree_node = 0;
-  bool known = true;                           ///< false: too many lines for one word run through a single element
-  bool empty = true;                           ///< does not meet the active region
-  PerAxis<std::vector<std::int32_t>> vectors;  ///< distinct index vectors, identifiers in Zones::stores
-  std::vector<PerAxis<std::uint16_t>> nodes;   ///< for each active node the places of its vectors in these
-  PerAxis<RankInterval> window;                ///< the lines, not ranks, between which the vectors are decided
-  std::vector<bool> changed;  ///< for each node whether the last update made or changed it; empty: none
-};
 
 /// The active nodes and index vectors of the mesh of a growing refinement tree, zone by zone.
 ///
 /// The domain is cut into zones of some thousand elements, so that what is worked on stays in the processor's cache and
 /// the cost for an element does not depend on how many there are.
 ///
-/// After a step only the zones that have changed nodes are looked at again. An element that is subdivided along an axis
-/// gets faces orthogonal to it: index vectors change along this axis only, of nodes whose zone has a window along the
-/// axis that touches the element. A new node is a vertex of the element's children: its zone touches the element.
+/// After a step only the zones that have changed nodes follow it (ZoneGrowth). An element that is subdivided along an
+/// axis gets faces orthogonal to it: index vectors change along this axis only, of nodes whose zone has a window along
+/// the axis that touches the element. A new node is a vertex of the element's children: its zone touches the element.
 class Zones {
  public:
   /// REQUIRES: the tree outlives it; ranks are up to date at every call. Nothing is known before rebuild().
@@ -54,11 +45,8 @@ class Zones {
   std::int64_t active_nodes() const;
 
  private:
-  /// What may have changed in a zone: its vectors along some axes, and perhaps its nodes.
-  struct Effect {
-    PerAxis<bool> vectors{};
-    bool nodes = false;
-  };
+  /// By zone: the elements of a step that may change its nodes or vectors.
+  using Affected = std::map<std::size_t, std::vector<std::int32_t>>;
 
   std::vector<std::int32_t> intern(Axis axis, const ZoneNodes& found);
   void scan(std::int32_t tree_node, std::vector<Zone>& zones);
@@ -67,12 +55,11 @@ class Zones {
   RankBox support(const Zone& zone, const PerAxis<std::uint16_t>& node) const;
   RankBox reach(const Zone& zone) const;
   void index_all();
-  std::map<std::size_t, Effect> effects(std::span<const std::int32_t> subdivided) const;
-  bool change_vectors(Zone& zone, const PerAxis<bool>& axes);
-  void mark_changed(const Zone& before, Zone& zone) const;
+  bool reaches(const Zone& zone, const RankBox& element, Axis split) const;
+  Affected affected_by(std::span<const std::int32_t> subdivided) const;
   std::vector<Zone> scan_again(const Zone& before);
   void divide(const Zone& zone, std::vector<Zone>& parts) const;
-  bool divide_large(const std::map<std::size_t, Effect>& affected);
+  bool divide_large(const Affected& affected);
   void replace(std::map<std::size_t, std::vector<Zone>>& replaced);
   std::optional<RankBox> changed_box(const Zone& zone) const;
 
@@ -83,6 +70,7 @@ class Zones {
   BoxTree supports_;
   BoxTree reaches_;
   ZoneScanner scanner_;
+  ZoneGrowth growth_;
   std::vector<std::size_t> changed_;  ///< the zones with changed nodes
 };
 

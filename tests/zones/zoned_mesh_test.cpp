@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <random>
 
 #include "lib/mesh/case_file.hpp"
 #include "lib/refine/replay.hpp"
@@ -58,6 +60,53 @@ TEST(ZonedMesh, ProvesExactlyWhatHoldsOfTheFindings) {
   for (const Case& content : testing::found_steps()) compare_proofs(content, {5, 64}, tally);
   EXPECT_GT(tally.outcomes["compatible but not suitable"], 0);
   EXPECT_GT(tally.outcomes["suitable but not compatible"], 0);
+}
+
+/// What is found in the box of a whole mesh, its nodes added in the order of a shuffled list.
+Proven of_shuffled(const Zones& zones, std::mt19937_64& random) {
+  const RefinementTree& tree = zones.tree();
+  ZoneCheck check(tree, zones.stores(), zones.limits());
+  check.begin(box_of(tree, 0));
+  PerAxis<std::map<std::int32_t, std::int32_t>> numbers;
+  std::vector<PerAxis<std::int32_t>> nodes;
+  for (const Zone& zone : zones.list()) {
+    for (const auto& node : zone.nodes) {
+      for (std::size_t axis = 0; axis < kDimension; ++axis) {
+        const AxisGrid& grid = tree.grid(static_cast<Axis>(axis));
+        const std::int32_t id = zone.vectors[axis][node[axis]];
+        const auto lines = zones.stores()[axis][id];
+        if (numbers[axis].contains(id)) continue;
+        const RankInterval range{grid.rank_of_line(lines.front()), grid.rank_of_line(lines.back())};
+        numbers[axis][id] = check.axis(static_cast<Axis>(axis)).add(id, range);
+      }
+      nodes.push_back({numbers[0][zone.vectors[0][node[0]]], numbers[1][zone.vectors[1][node[1]]],
+                       numbers[2][zone.vectors[2][node[2]]]});
+    }
+  }
+  std::shuffle(nodes.begin(), nodes.end(), random);
+  for (const auto& node : nodes) check.add_node(node, true);
+  EXPECT_EQ(check.number_lines().axis, -1);
+  return check.decide();
+}
+
+TEST(ZoneCheck, DoesNotDependOnTheOrderOfTheNodes) {
+  std::mt19937_64 random(3);
+  int violated = 0;
+  for (const Case& content : testing::found_steps()) {
+    Replay replay(content);
+    while (!replay.done()) replay.advance();
+    Zones zones(replay.tree());
+    zones.rebuild(1);
+    const Proven proven = ZonedMesh(replay.tree()).decide({});
+    for (int i = 0; i < 20; ++i) {
+      const Proven shuffled = of_shuffled(zones, random);
+      EXPECT_EQ(shuffled.analysis_suitable, proven.analysis_suitable) << write_case(content);
+      EXPECT_EQ(shuffled.dual_compatible, proven.dual_compatible) << write_case(content);
+      EXPECT_EQ(shuffled.dual_basis, proven.dual_basis) << write_case(content);
+    }
+    violated += proven.all() ? 0 : 1;
+  }
+  EXPECT_GT(violated, 5);
 }
 
 /// One step makes the violation, and subdivides elements far away on either side of it: neither may hide the other.

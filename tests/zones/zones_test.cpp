@@ -82,6 +82,13 @@ TEST(Zones, HaveThemWithOtherDegreesAndGradings) {
   }
 }
 
+/// Steps bring more lines than what is left of a word: such zones are found anew, and divided.
+TEST(Zones, HaveThemWhereTooManyLinesCome) {
+  for (const std::size_t lines : {12, 14, 17}) {
+    EXPECT_GT(compare(generate_workload(Workload::corner, {{3, 3, 3}, 2, {8, 8, 8}}, 4000), {8000, lines}), 6);
+  }
+}
+
 /// One cube in 2^7 layers beside a whole one: its neighbour's window has more lines than a word has bits.
 TEST(Zones, SayWhereTooManyLinesAre) {
   Case content = parse_case("asts-case 1\ndegree 3 3 3\ngrading 128\ndomain 6 6 6\nsubdivide 2 2 2\n", "layers");
@@ -116,7 +123,7 @@ TEST(Zones, ForgetWhatChangedWhenTheyAreFoundAnew) {
     }
   }
   Replay replay(content);
-  Zones zones(replay.tree(), {200, 64});
+  Zones zones(replay.tree(), {100, 64});
   zones.rebuild(1);
   const auto changed = [&] {
     return std::count_if(zones.list().begin(), zones.list().end(), [](const Zone& zone) {
