@@ -14,11 +14,15 @@ constexpr std::size_t kChunk = 4096;
 /// Nodes are asked for so many leaves ahead.
 constexpr std::size_t kAhead = 16;
 
-/// Calls work(begin, end, worker) for chunks of a range.
+/// Calls work(begin, end, worker) for chunks of a range. Chunks that follow each other are from different parts of it,
+/// one a thread: threads that write to fresh memory side by side would both wait for the same pages.
 template <typename Work>
 void for_chunks(int jobs, std::size_t count, const Work& work) {
-  parallel_for(jobs, (count + kChunk - 1) / kChunk, [&](std::size_t chunk, int worker) {
-    work(chunk * kChunk, std::min(count, (chunk + 1) * kChunk), worker);
+  const std::size_t parts = at(jobs);
+  const std::size_t of_part = ((count + kChunk - 1) / kChunk + parts - 1) / parts;
+  parallel_for(jobs, of_part * parts, [&](std::size_t item, int worker) {
+    const std::size_t begin = (item % parts * of_part + item / parts) * kChunk;
+    if (begin < count) work(begin, std::min(count, begin + kChunk), worker);
   });
 }
 
