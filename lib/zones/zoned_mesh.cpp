@@ -9,26 +9,29 @@ namespace {
 /// A changed element costs about as much as so many others from scratch.
 constexpr std::int64_t kWorthRebuilding = 12;
 
-/// A measure of what is in a box; nothing when it is too large for 64 bits.
-std::optional<std::int64_t> size_of(const RankBox& box) {
+/// An estimate of how many nodes' supports touch a box, in nodes of the finest kind. The nodes lie in it or up to half a
+/// support beyond either end, and a support is p+1 intervals wide, of some two lines each. Nothing when it is too large
+/// for 64 bits.
+std::optional<std::int64_t> nodes_around(const RankBox& box, const PerAxis<int>& degree) {
   std::int64_t size = 1;
-  for (const RankInterval& side : box.side) {
-    if (__builtin_mul_overflow(size, std::int64_t{side.upper} - side.lower + 1, &size)) return std::nullopt;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const std::int64_t lines = std::int64_t{box[axis].upper} - box[axis].lower + 1 + 2 * (degree[at(axis)] + 1);
+    if (__builtin_mul_overflow(size, lines, &size)) return std::nullopt;
   }
   return size;
 }
 
-bool worth_merging(const RankBox& one, const RankBox& other) {
-  const auto both = size_of(hull(one, other));
-  return both && *both - *size_of(one) <= *size_of(other);  // no box is larger than the hull
+bool worth_merging(const RankBox& one, const RankBox& other, const PerAxis<int>& degree) {
+  const auto both = nodes_around(hull(one, other), degree);
+  return both && *both - *nodes_around(one, degree) <= *nodes_around(other, degree);  // no box is larger than the hull
 }
 
-/// Boxes that overlap so much that their hull is no larger than the two become one.
-std::vector<RankBox> merged(const std::vector<RankBox>& boxes) {
+/// Boxes become one where no more nodes have to be looked at for their hull than for the two.
+std::vector<RankBox> merged(const std::vector<RankBox>& boxes, const PerAxis<int>& degree) {
   std::vector<RankBox> result;
   for (RankBox box : boxes) {
     for (std::size_t i = 0; i < result.size();) {
-      if (!worth_merging(result[i], box)) {
+      if (!worth_merging(result[i], box, degree)) {
         ++i;
         continue;
       }
@@ -63,7 +66,7 @@ Proven ZonedMesh::decide(std::span<const std::int32_t> subdivided, int jobs) {
   if (anew) {
     zones_.rebuild(jobs);
   } else {
-    boxes = merged(zones_.update(subdivided));
+    boxes = merged(zones_.update(subdivided), zones_.tree().setting().degree);
   }
   if (everywhere) {
     boxes.clear();
