@@ -9,9 +9,9 @@ namespace {
 /// A changed element costs about as much as so many others from scratch.
 constexpr std::int64_t kWorthRebuilding = 12;
 
-/// An estimate of how many nodes' supports touch a box, in nodes of the finest kind. The nodes lie in it or up to half a
-/// support beyond either end, and a support is p+1 intervals wide, of some two lines each. Nothing when it is too large
-/// for 64 bits.
+/// An estimate of how many nodes' supports touch a box, in nodes of the finest kind. The nodes lie in it or up to half
+/// a support beyond either end, and a support is p+1 intervals wide, of some two lines each. Nothing when it is too
+/// large for 64 bits.
 std::optional<std::int64_t> nodes_around(const RankBox& box, const PerAxis<int>& degree) {
   std::int64_t size = 1;
   for (Axis axis = 0; axis < kDimension; ++axis) {
