@@ -156,6 +156,29 @@ TEST(MeshView, HasThePerturbedRegionsAndWhereTheyMeet) {
   EXPECT_GE(json["picked"].size(), 2U);
 }
 
+// x has no lines at the active region's sides 2 and 10. The face at y = 5/2 is in the y-vectors of the nodes at x = 7
+// and 8 alone, whose supports reach from 5 to 9 and from 6 to 11.
+TEST(MeshView, EndsPerturbedRegionsAtTheActiveRegionWhereNoLineIs) {
+  const std::vector<int> lines{0, 1, 3, 4, 5, 6, 7, 8, 9, 11, 12};
+  std::string text = "asts-case 1\ndegree 3 3 3\ngrading 2\ndomain 12 5 5\n";
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    for (int y = 0; y < 5; ++y) {
+      for (int z = 0; z < 5; ++z) {
+        const auto add = [&](const std::string& lower, const std::string& upper) {
+          text += "element " + std::to_string(lines[i]) + " " + lower + " " + std::to_string(z) + "  " +
+                  std::to_string(lines[i + 1]) + " " + upper + " " + std::to_string(z + 1) + "\n";
+        };
+        const bool halved = lines[i] == 7 && y == 2 && z == 2;
+        add(std::to_string(y), halved ? "5/2" : std::to_string(y + 1));
+        if (halved) add("5/2", "3");
+      }
+    }
+  }
+  const Json json = of_text(text).json();
+  ASSERT_EQ(json["regions"][1].size(), 1U);
+  EXPECT_EQ(place_texts(json, json["regions"][1][0], 2), (Texts{"5", "10", "5/2", "5/2", "2", "3"}));
+}
+
 TEST(MeshView, NumbersTheElementsThatAWitnessNames) {
   Subject subject = of_text("asts-case 1\ndegree 3 3 3\ngrading 2\ndomain 4 4 4\nsubdivide 1 1 1\n");
   CoarserInPatchWitness witness;
