@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "lib/exact/errors.hpp"
 #include "lib/threads/apart.hpp"
@@ -173,32 +172,44 @@ std::int64_t Zones::active_nodes() const {
   return count;
 }
 
-/// Whether an element that was split along an axis may change nodes of a zone, or their vectors.
-bool Zones::reaches(const Zone& zone, const RankBox& element, Axis split) const {
-  const AxisGrid& grid = tree_.grid(split);
-  RankBox reached = box_of(tree_, zone.tree_node);
-  const RankInterval& window = zone.window[at(split)];
-  reached[split] = {std::min(reached[split].lower, grid.rank_of_line(window.lower)),
-                    std::max(reached[split].upper, grid.rank_of_line(window.upper))};
-  return touch(reached, element);
+/// For each axis the box that an element split along it touches if it may change nodes of a zone, or their vectors.
+PerAxis<RankBox> Zones::reached_boxes(const Zone& zone) const {
+  PerAxis<RankBox> boxes;
+  boxes.fill(box_of(tree_, zone.tree_node));
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const AxisGrid& grid = tree_.grid(axis);
+    const RankInterval& window = zone.window[at(axis)];
+    RankInterval& side = boxes[at(axis)][axis];
+    side = {std::min(side.lower, grid.rank_of_line(window.lower)),
+            std::max(side.upper, grid.rank_of_line(window.upper))};
+  }
+  return boxes;
 }
 
 Zones::Affected Zones::affected_by(std::span<const std::int32_t> subdivided) const {
   constexpr std::size_t kAtOnce = 64;  // neighbours mostly: one search for all of them
+  struct Split {
+    std::int32_t element;
+    Axis axis;
+    RankBox box;
+  };
   Affected result;
-  std::vector<RankBox> boxes;
+  std::vector<Split> splits;
   while (!subdivided.empty()) {
-    const auto elements = subdivided.first(std::min(kAtOnce, subdivided.size()));
-    subdivided = subdivided.subspan(elements.size());
-    boxes.clear();
-    for (const std::int32_t element : elements) boxes.push_back(box_of(tree_, element));
-    const RankBox all = std::accumulate(boxes.begin(), boxes.end(), boxes.front(), hull);
+    splits.clear();
+    RankBox all = box_of(tree_, subdivided.front());
+    for (const std::int32_t element : subdivided.first(std::min(kAtOnce, subdivided.size()))) {
+      splits.push_back({element, tree_.split_axis(element), box_of(tree_, element)});
+      all = hull(all, splits.back().box);
+    }
+    subdivided = subdivided.subspan(splits.size());
     reaches_.for_each_touching(all, [&](std::size_t place) {
-      std::vector<std::int32_t>* split = nullptr;
-      for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (!reaches(zones_[place], boxes[i], tree_.split_axis(elements[i]))) continue;
-        if (split == nullptr) split = &result[place];
-        split->push_back(elements[i]);
+      const PerAxis<RankBox> reached = reached_boxes(zones_[place]);
+      std::vector<std::int32_t>* elements = nullptr;
+      for (const Split& split : splits) {
+        if (!touch(reached[at(split.axis)], split.box)) continue;
+        if (elements == nullptr) elements = &result[place];
+        elements->push_back(split.element);
       }
     });
   }

@@ -55,7 +55,7 @@ class Zones {
   RankBox support(const Zone& zone, const PerAxis<std::uint16_t>& node) const;
   RankBox reach(const Zone& zone) const;
   void index_all();
-  bool reaches(const Zone& zone, const RankBox& element, Axis split) const;
+  PerAxis<RankBox> reached_boxes(const Zone& zone) const;
   Affected affected_by(std::span<const std::int32_t> subdivided) const;
   std::vector<Zone> scan_again(const Zone& before);
   void divide(const Zone& zone, std::vector<Zone>& parts) const;
