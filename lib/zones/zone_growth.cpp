@@ -13,42 +13,46 @@ constexpr std::size_t kMostVectors = std::numeric_limits<std::uint16_t>::max();
 
 std::int32_t middle(std::span<const std::int32_t> vector) { return vector[vector.size() / 2]; }
 
-}  // namespace
+/// Ranks of y, z and x: nodes of a zone are in the order of these.
+using Position = PerAxis<std::int32_t>;
 
-void ZoneGrowth::begin(const Zone& zone, std::span<const std::int32_t> split) {
-  for (Axis axis = 0; axis < kDimension; ++axis) {
-    const AxisGrid& grid = tree_->grid(axis);
-    Along& along = along_[at(axis)];
-    along.ranks.clear();
-    along.split.clear();
-    along.number.resize(at((*stores_)[at(axis)].size()), -1);
-    const std::vector<std::int32_t>& vectors = zone.vectors[at(axis)];
-    along.place.resize(vectors.size());
-    for (std::size_t i = 0; i < vectors.size(); ++i) {
-      along.number[at(vectors[i])] = static_cast<std::int32_t>(i);
-      along.place[i] = grid.rank_of_line(middle((*stores_)[at(axis)][vectors[i]]));
-    }
-    along.ranks = along.place;
-    std::sort(along.ranks.begin(), along.ranks.end());
-    along.ranks.erase(std::unique(along.ranks.begin(), along.ranks.end()), along.ranks.end());
-    for (std::int32_t& place : along.place) {
-      const auto found = std::lower_bound(along.ranks.begin(), along.ranks.end(), place);
-      place = static_cast<std::int32_t>(found - along.ranks.begin());
-    }
-  }
-  for (const std::int32_t element : split) along_[at(tree_->split_axis(element))].split.push_back(element);
+/// Given what rank_of(axis, number) a vector's middle entry has.
+template <typename RankOf>
+Position position_of(const PerAxis<std::uint16_t>& node, const RankOf& rank_of) {
+  return {rank_of(1, node[1]), rank_of(2, node[2]), rank_of(0, node[0])};
 }
 
-/// The number of a vector in the zone, whose nodes lie on a line with this place.
-std::uint16_t ZoneGrowth::number_of(Zone& zone, Axis axis, std::int32_t id, std::int32_t place) {
+}  // namespace
+
+/// Numbers the zone's vectors along an axis and the lines that its nodes lie on.
+void ZoneGrowth::number_old(const Zone& zone, Axis axis) {
+  const VectorStore& store = (*stores_)[at(axis)];
+  const std::vector<std::int32_t>& vectors = zone.vectors[at(axis)];
   Along& along = along_[at(axis)];
-  if (at(id) >= along.number.size()) along.number.resize(at(id) + 1, -1);
-  if (along.number[at(id)] < 0) {
-    along.number[at(id)] = static_cast<std::int32_t>(zone.vectors[at(axis)].size());
-    zone.vectors[at(axis)].push_back(id);
-    along.place.push_back(place);
+  along.number.resize(at(store.size()), -1);
+  along.place.clear();
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    along.number[at(vectors[i])] = static_cast<std::int32_t>(i);
+    along.place.push_back(tree_->grid(axis).rank_of_line(middle(store[vectors[i]])));
   }
-  return static_cast<std::uint16_t>(along.number[at(id)]);
+  along.ranks = along.place;
+  std::sort(along.ranks.begin(), along.ranks.end());
+  along.ranks.erase(std::unique(along.ranks.begin(), along.ranks.end()), along.ranks.end());
+  for (std::int32_t& place : along.place) {
+    const auto found = std::lower_bound(along.ranks.begin(), along.ranks.end(), place);
+    place = static_cast<std::int32_t>(found - along.ranks.begin());
+  }
+}
+
+/// The number of a vector in the zone, its own or a new one.
+std::uint16_t ZoneGrowth::number_of(Zone& zone, Axis axis, std::int32_t id) {
+  std::vector<std::int32_t>& number = along_[at(axis)].number;
+  if (at(id) >= number.size()) number.resize(at(id) + 1, -1);
+  if (number[at(id)] < 0) {
+    number[at(id)] = static_cast<std::int32_t>(zone.vectors[at(axis)].size());
+    zone.vectors[at(axis)].push_back(id);
+  }
+  return static_cast<std::uint16_t>(number[at(id)]);
 }
 
 /// Gives the old nodes their vectors along an axis.
@@ -72,7 +76,10 @@ void ZoneGrowth::insert(Zone& zone, Axis axis) {
     insert_entries(ranks, on_line, entries);
     if (entries == ranks) continue;
     for (std::int32_t& entry : entries) entry = grid.line_of_rank(entry);
-    node[at(axis)] = number_of(zone, axis, store.intern(grid, entries), along_[at(axis)].place[node[at(axis)]]);
+    std::vector<std::int32_t>& places = along_[at(axis)].place;
+    const std::int32_t place = places[node[at(axis)]];
+    node[at(axis)] = number_of(zone, axis, store.intern(grid, entries));
+    places.resize(zone.vectors[at(axis)].size(), place);  // the same: the vector's middle entry stays
     zone.changed[i] = true;
   }
 }
@@ -92,66 +99,63 @@ std::optional<RankBox> ZoneGrowth::new_part(const Zone& zone, std::span<const st
   return part;
 }
 
-/// Puts the nodes found in a part of a zone that are new between its own.
-void ZoneGrowth::merge(Zone& zone, const ZoneNodes& found) {
-  constexpr PerAxis<std::size_t> kOrder{1, 2, 0};
-  using Key = PerAxis<std::int32_t>;
-  PerAxis<std::vector<std::int32_t>> ids;
-  PerAxis<std::vector<std::int32_t>> ranks;
-  PerAxis<std::size_t> length;
-  for (std::size_t axis = 0; axis < kDimension; ++axis) {
-    length[axis] = at(tree_->setting().degree[axis]) + 2;
-    const std::vector<std::int32_t>& lines = found.vectors[axis];
-    ids[axis].assign(lines.size() / length[axis], -1);
-    for (std::size_t i = 0; i < lines.size(); i += length[axis]) {
-      ranks[axis].push_back(tree_->grid(static_cast<Axis>(axis)).rank_of_line(lines[i + length[axis] / 2]));
+/// Which of the nodes found in a part of a zone it does not have, and how many of its own come before each.
+std::vector<ZoneGrowth::Added> ZoneGrowth::new_among(const Zone& zone, const ZoneNodes& found) const {
+  PerAxis<std::vector<std::int32_t>> middles;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const std::span<const std::int32_t> lines(found.vectors[at(axis)]);
+    const std::size_t length = vector_length(axis);
+    for (std::size_t i = 0; i < lines.size(); i += length) {
+      middles[at(axis)].push_back(tree_->grid(axis).rank_of_line(middle(lines.subspan(i, length))));
     }
   }
-  const auto key_of_old = [&](const PerAxis<std::uint16_t>& node) {
-    Key key;
-    for (std::size_t i = 0; i < kDimension; ++i) {
-      const Along& along = along_[kOrder[i]];
-      key[i] = along.ranks[at(along.place[node[kOrder[i]]])];
-    }
-    return key;
+  const auto old_rank = [&](Axis axis, std::size_t number) {
+    return along_[at(axis)].ranks[at(along_[at(axis)].place[number])];
   };
-  const auto key_of_found = [&](const PerAxis<std::uint16_t>& node) {
-    Key key;
-    for (std::size_t i = 0; i < kDimension; ++i) key[i] = ranks[kOrder[i]][node[kOrder[i]]];
-    return key;
-  };
-  const auto id_of = [&](Axis axis, std::size_t number) {
-    std::int32_t& id = ids[at(axis)][number];
-    if (id < 0) {
-      const std::span<const std::int32_t> lines(found.vectors[at(axis)]);
-      id = (*stores_)[at(axis)].intern(tree_->grid(axis), lines.subspan(number * length[at(axis)], length[at(axis)]));
-    }
-    return id;
-  };
+  const auto found_rank = [&](Axis axis, std::size_t number) { return middles[at(axis)][number]; };
+  std::vector<Added> added;
+  std::size_t old = 0;
+  for (std::size_t i = 0; i < found.nodes.size(); ++i) {
+    const Position position = position_of(found.nodes[i], found_rank);
+    while (old < zone.nodes.size() && position_of(zone.nodes[old], old_rank) < position) ++old;
+    const bool known = old < zone.nodes.size() && position_of(zone.nodes[old], old_rank) == position;
+    if (!known) added.push_back({i, old});
+  }
+  return added;
+}
+
+/// A found node by the numbers of its vectors in the zone.
+PerAxis<std::uint16_t> ZoneGrowth::numbers_of(Zone& zone, const ZoneNodes& found, std::size_t node) {
+  PerAxis<std::uint16_t> numbers;
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    const std::size_t length = vector_length(axis);
+    const std::span<const std::int32_t> lines(found.vectors[at(axis)]);
+    const auto vector = lines.subspan(found.nodes[node][at(axis)] * length, length);
+    numbers[at(axis)] = number_of(zone, axis, (*stores_)[at(axis)].intern(tree_->grid(axis), vector));
+  }
+  return numbers;
+}
+
+/// Puts the new ones of the found nodes between the zone's own.
+void ZoneGrowth::merge(Zone& zone, const ZoneNodes& found) {
+  const std::vector<Added> added = new_among(zone, found);
   std::vector<PerAxis<std::uint16_t>> nodes;
   std::vector<bool> changed;
-  nodes.reserve(zone.nodes.size() + found.nodes.size());
-  changed.reserve(nodes.capacity());
+  nodes.reserve(zone.nodes.size() + added.size());
+  changed.reserve(zone.nodes.size() + added.size());
   std::size_t old = 0;
-  const auto take_old = [&] {
-    nodes.push_back(zone.nodes[old]);
-    changed.push_back(zone.changed[old++]);
+  const auto take_old_up_to = [&](std::size_t end) {
+    for (; old < end; ++old) {
+      nodes.push_back(zone.nodes[old]);
+      changed.push_back(zone.changed[old]);
+    }
   };
-  for (const auto& node : found.nodes) {
-    const Key key = key_of_found(node);
-    while (old < zone.nodes.size() && key_of_old(zone.nodes[old]) < key) take_old();
-    if (old < zone.nodes.size() && key_of_old(zone.nodes[old]) == key) {
-      take_old();
-      continue;
-    }
-    PerAxis<std::uint16_t> added;
-    for (Axis axis = 0; axis < kDimension; ++axis) {
-      added[at(axis)] = number_of(zone, axis, id_of(axis, node[at(axis)]), 0);
-    }
-    nodes.push_back(added);
+  for (const Added& one : added) {
+    take_old_up_to(one.before);
+    nodes.push_back(numbers_of(zone, found, one.node));
     changed.push_back(true);
   }
-  while (old < zone.nodes.size()) take_old();
+  take_old_up_to(zone.nodes.size());
   zone.nodes = std::move(nodes);
   zone.changed = std::move(changed);
 }
@@ -190,7 +194,11 @@ bool ZoneGrowth::follow(Zone& zone, std::span<const std::int32_t> split) {
   for (const std::vector<std::int32_t>& vectors : zone.vectors) {
     if (vectors.size() + zone.nodes.size() > kMostVectors) return false;
   }
-  begin(zone, split);
+  for (Axis axis = 0; axis < kDimension; ++axis) {
+    number_old(zone, axis);
+    along_[at(axis)].split.clear();
+  }
+  for (const std::int32_t element : split) along_[at(tree_->split_axis(element))].split.push_back(element);
   zone.changed.assign(zone.nodes.size(), false);
   for (Axis axis = 0; axis < kDimension; ++axis) {
     if (!along_[at(axis)].split.empty()) insert(zone, axis);

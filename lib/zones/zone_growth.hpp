@@ -36,17 +36,26 @@ class ZoneGrowth {
  private:
   /// Along an axis: the vectors of the zone, and the lines that its nodes lie on.
   struct Along {
-    std::vector<std::int32_t> place;   ///< of the node's line in the next list, by the number of the vector
-    std::vector<std::int32_t> ranks;   ///< ascending
+    std::vector<std::int32_t> ranks;   ///< of these lines, ascending
+    std::vector<std::int32_t> place;   ///< in these, by the number of a vector of old nodes
     std::vector<std::int32_t> number;  ///< of a vector in the zone, by identifier; -1 for others
     std::vector<std::int32_t> split;   ///< the elements that were split along this axis
   };
 
-  void begin(const Zone& zone, std::span<const std::int32_t> split);
-  std::uint16_t number_of(Zone& zone, Axis axis, std::int32_t id, std::int32_t place);
+  /// A node that was found in a part of the zone, and how many of the zone's nodes come before it.
+  struct Added {
+    std::size_t node;
+    std::size_t before;
+  };
+
+  void number_old(const Zone& zone, Axis axis);
+  std::size_t vector_length(Axis axis) const { return at(tree_->setting().degree[at(axis)]) + 2; }
+  std::uint16_t number_of(Zone& zone, Axis axis, std::int32_t id);
   void insert(Zone& zone, Axis axis);
   std::optional<RankBox> new_part(const Zone& zone, std::span<const std::int32_t> split) const;
   bool add_nodes(Zone& zone, const RankBox& part);
+  std::vector<Added> new_among(const Zone& zone, const ZoneNodes& found) const;
+  PerAxis<std::uint16_t> numbers_of(Zone& zone, const ZoneNodes& found, std::size_t node);
   void merge(Zone& zone, const ZoneNodes& found);
   void leave_out_unused(Zone& zone);
 
