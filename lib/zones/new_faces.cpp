@@ -5,42 +5,51 @@
 
 namespace asts {
 
+namespace {
+
+/// The places, from `begin` to before `end`, of those of some ascending ranks that lie in a closed interval.
+struct Places {
+  std::size_t begin;
+  std::size_t end;
+};
+
+Places places_in(std::span<const std::int32_t> ranks, const RankInterval& side) {
+  const auto begin = std::lower_bound(ranks.begin(), ranks.end(), side.lower);
+  const auto end = std::upper_bound(begin, ranks.end(), side.upper);
+  return {static_cast<std::size_t>(begin - ranks.begin()), static_cast<std::size_t>(end - ranks.begin())};
+}
+
+}  // namespace
+
 void NewFaces::assign(const RefinementTree& tree, Axis axis, std::span<const std::int32_t> elements,
                       std::span<const std::int32_t> rows, std::span<const std::int32_t> columns) {
-  const auto places = [](std::span<const std::int32_t> ranks, const RankInterval& side) {
-    const auto begin = std::lower_bound(ranks.begin(), ranks.end(), side.lower);
-    const auto end = std::upper_bound(begin, ranks.end(), side.upper);
-    return std::pair{static_cast<std::size_t>(begin - ranks.begin()), static_cast<std::size_t>(end - ranks.begin())};
-  };
   columns_ = columns.size();
   crossings_.clear();
   begin_.assign(rows.size() * columns.size() + 1, 0);
   for (const std::int32_t element : elements) {
-    const auto [first_row, last_row] = places(rows, tree.extent(element, axis_after(axis)));
-    const auto [first_column, last_column] = places(columns, tree.extent(element, axis_after(axis_after(axis))));
-    const std::int32_t child = tree.first_child(element);
-    for (std::int32_t i = 1; i < tree.child_count(element); ++i) {
-      const std::int32_t rank = tree.extent(child + i, axis).lower;
-      for (std::size_t row = first_row; row < last_row; ++row) {
-        for (std::size_t column = first_column; column < last_column; ++column) {
+    const Places of_rows = places_in(rows, tree.extent(element, axis_after(axis)));
+    const Places of_columns = places_in(columns, tree.extent(element, axis_after(axis_after(axis))));
+    const std::int32_t first = tree.first_child(element);
+    for (std::int32_t child = first + 1; child < first + tree.child_count(element); ++child) {
+      const std::int32_t rank = tree.extent(child, axis).lower;
+      for (std::size_t row = of_rows.begin; row < of_rows.end; ++row) {
+        for (std::size_t column = of_columns.begin; column < of_columns.end; ++column) {
           crossings_.push_back({row * columns_ + column, rank});
-          ++begin_[row * columns_ + column + 1];
         }
       }
     }
   }
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  sort_by_line();
+}
+
+/// A counting sort by lines, then the few entries of each.
+void NewFaces::sort_by_line() {
+  for (const Crossing& crossing : crossings_) ++begin_[crossing.line];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());  // where each line ends
   entries_.resize(crossings_.size());
-  for (std::size_t i = crossings_.size(); i-- > 0;) {  // from the ends of the lines to where they begin
-    entries_[--begin_[crossings_[i].line + 1]] = crossings_[i].rank;
-  }
-  // begin_[line + 1] is now where the line begins
-  std::move(begin_.begin() + 1, begin_.end(), begin_.begin());
-  begin_.back() = entries_.size();
-  for (std::size_t line = 0; line + 1 < begin_.size(); ++line) {
-    std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(begin_[line]),
-              entries_.begin() + static_cast<std::ptrdiff_t>(begin_[line + 1]));
-  }
+  for (const Crossing& crossing : crossings_) entries_[--begin_[crossing.line]] = crossing.rank;
+  const auto place = [&](std::size_t i) { return entries_.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t line = 0; line + 1 < begin_.size(); ++line) std::sort(place(begin_[line]), place(begin_[line + 1]));
 }
 
 void insert_entries(std::span<const std::int32_t> old, std::span<const std::int32_t> entries,

@@ -33,9 +33,11 @@ class NewFaces {
     std::size_t line;
     std::int32_t rank;
   };
+  void sort_by_line();
+
   std::size_t columns_ = 0;
   std::vector<Crossing> crossings_;
-  std::vector<std::size_t> begin_;
+  std::vector<std::size_t> begin_;  ///< by line, and one more
   std::vector<std::int32_t> entries_;
 };
 
