@@ -53,7 +53,7 @@ inline RankBox hull(RankBox one, const RankBox& other) {
 /// How much is worked on at a time. Results do not depend on it.
 struct ZoneLimits {
   /// Of a new zone at most, and up to four times as many where the mesh has 64 such zones: what a zone shares with its
-  /// neighbours counts for less in a larger one. A zone that has grown is divided when it has twice as many nodes.
+  /// neighbours counts for less in a larger one. A zone that follows a step is divided down to a quarter as many nodes.
   std::int32_t elements = 4096;
   /// Of a zone's window, and of a box in which violations are looked for, along one axis; from 3 to 64.
   std::size_t lines = 64;
