@@ -30,7 +30,8 @@ class ZoneGrowth {
 
   /// Follows a step that split these elements, among others that change nothing in the zone, and marks the nodes that
   /// are new or have a new vector. False when that would take more lines or vectors than fit: then only the zone's node
-  /// of the tree is of use, and the zone is to be found anew. REQUIRES: the zone is known and not empty; up-to-date ranks.
+  /// of the tree is of use, and the zone is to be found anew. REQUIRES: the zone is known and not empty; up-to-date
+  /// ranks.
   bool follow(Zone& zone, std::span<const std::int32_t> split);
 
  private:
