@@ -1,6 +1,8 @@
 #include "lib/zones/new_faces.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <numeric>
 
 namespace asts {
@@ -52,32 +54,30 @@ void NewFaces::sort_by_line() {
   for (std::size_t line = 0; line + 1 < begin_.size(); ++line) std::sort(place(begin_[line]), place(begin_[line + 1]));
 }
 
+namespace {
+
+/// Fills a range, going away from the middle entry, with the nearest of the old entries and the new ones. All are given
+/// in the order in which `nearer` compares. REQUIRES: old entries enough for the range.
+template <typename Old, typename New, typename Result, typename Nearer>
+void take_nearest(std::int32_t middle, Old old, New entry, New end, Result out, Result out_end, Nearer nearer) {
+  for (std::int32_t last = middle; out != out_end; last = *out++) {
+    while (entry != end && !nearer(last, *entry)) ++entry;
+    *out = entry != end && nearer(*entry, *old) ? *entry++ : *old++;
+  }
+}
+
+}  // namespace
+
 void insert_entries(std::span<const std::int32_t> old, std::span<const std::int32_t> entries,
                     std::vector<std::int32_t>& result) {
   const std::size_t reach = old.size() / 2;
-  const std::int32_t middle = old[reach];
-  result.resize(old.size());
-  result[reach] = middle;
-  std::size_t next = reach;  // old entries from here on are not below, or not above, the last one taken
-  auto below = std::lower_bound(entries.begin(), entries.end(), middle);
-  for (std::size_t i = reach; i-- > 0;) {
-    while (below != entries.begin() && *(below - 1) >= result[i + 1]) --below;
-    if (below != entries.begin() && *(below - 1) > old[next - 1]) {
-      result[i] = *--below;
-    } else {
-      result[i] = old[--next];
-    }
-  }
-  next = reach;
-  auto above = std::upper_bound(entries.begin(), entries.end(), middle);
-  for (std::size_t i = reach + 1; i < old.size(); ++i) {
-    while (above != entries.end() && *above <= result[i - 1]) ++above;
-    if (above != entries.end() && *above < old[next + 1]) {
-      result[i] = *above++;
-    } else {
-      result[i] = old[++next];
-    }
-  }
+  const auto below = old.first(reach);
+  const auto above = old.subspan(reach + 1);
+  result.assign(old.begin(), old.end());
+  const auto out = result.begin() + static_cast<std::ptrdiff_t>(reach);
+  take_nearest(old[reach], below.rbegin(), entries.rbegin(), entries.rend(), std::make_reverse_iterator(out),
+               result.rend(), std::greater());
+  take_nearest(old[reach], above.begin(), entries.begin(), entries.end(), out + 1, result.end(), std::less());
 }
 
 }  // namespace asts

@@ -11,7 +11,7 @@ namespace asts {
 
 namespace {
 
-/// A zone that follows a step is divided until it has this fraction of the nodes that a new one has elements.
+/// A zone that follows a step is divided until it has at most one node for so many elements of a new one.
 constexpr std::size_t kParts = 4;
 
 /// How many elements a zone of the whole mesh has at most.
